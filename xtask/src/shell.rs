@@ -15,12 +15,12 @@ pub fn root() -> PathBuf {
     here.parent().unwrap_or(Path::new(".")).to_owned()
 }
 
-/// Cargo's words for all crates with all that they can do, also what the command line has
-/// only if it is asked for: the baselines, and the GPU.
+/// Cargo's words for all crates with all that they can do, also what they have only if it is asked
+/// for: the GPU.
 pub const EVERYTHING: [&str; 3] = [
     "--workspace",
     "--features",
-    "capwalk-cli/paper,capwalk-cli/gpu,capwalk-python/gpu",
+    "capwalk-cli/gpu,capwalk-python/gpu",
 ];
 
 /// A call of the cargo that runs this task, in the root of the workspace.

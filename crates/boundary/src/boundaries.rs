@@ -281,7 +281,7 @@ impl Boundaries {
     }
 
     /// The edges in a tree.
-    pub(crate) fn tree(&self) -> &SilhouetteTree {
+    pub fn tree(&self) -> &SilhouetteTree {
         &self.tree
     }
 

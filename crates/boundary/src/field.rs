@@ -8,6 +8,7 @@ use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 use crate::boundary_sample::{BoundarySample, Seen};
 use crate::method::Method;
+use crate::mirror::Mirrors;
 use crate::viewpoint::Viewpoint;
 
 /// The fields around all viewpoints of a scene.
@@ -72,6 +73,20 @@ impl<'a> Field<'a> {
             }),
             mirrors: seen.mirrors,
         }
+    }
+
+    /// The same of a point that is seen without a specular event.
+    pub fn direct_boundary_sample<R: Real>(
+        &self,
+        viewpoint: &Viewpoint<R>,
+        point: &SilhouettePoint,
+    ) -> BoundarySample {
+        let seen = Seen {
+            point: *point,
+            mirrors: Mirrors::default(),
+            is_direct: true,
+        };
+        self.boundary_sample(viewpoint, &seen)
     }
 
     /// The normal of the viewpoint's face, if a point that is seen without a specular event is

@@ -34,8 +34,6 @@ mod mirror;
 mod mirror_image;
 mod mirror_planes;
 mod motion;
-#[cfg(feature = "paper")]
-mod paper;
 pub mod pool;
 mod random;
 mod reflected;
@@ -68,8 +66,6 @@ pub use material::{
     tangents_of_face,
 };
 pub use method::{Gathers, Method, MethodTraits};
-#[cfg(feature = "paper")]
-pub use method::{WasBoundary, WasSettings};
 pub use mirror::{MAX_EVENTS, Mirrors};
 pub use mirror_image::{DrawnImage, MirrorImage, moving_apex, moving_image};
 pub use mirror_planes::MirrorPlanes;

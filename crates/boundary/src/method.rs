@@ -3,8 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use crate::custom_field::CustomField;
-#[cfg(feature = "paper")]
-pub use crate::paper::settings::{WasBoundary, WasSettings};
 
 /// How the derivative of a discontinuous integrand is estimated.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -24,24 +22,6 @@ pub enum Method {
     /// and directions that do not move; elsewhere as [`Method::Walk`], also for a camera that
     /// has parallel rays or may see hundreds of flat mirrors. Unbiased.
     Edges(Gathers),
-    /// The same walk on the triangle that each direction hits, where the field is
-    /// relative to the material: the paper to the letter. Borders of triangles
-    /// limit its walks, in the place of `max_radius`, which is left for directions
-    /// that hit nothing. Unbiased; reflected boundaries are not covered.
-    #[cfg(feature = "paper")]
-    TriangleWalk,
-    /// The same with a walk on disks in the triangle's plane, among all silhouettes
-    /// projected on it: unbiased, and so slow that scenes of many edges are refused.
-    #[cfg(feature = "paper")]
-    ExplicitWalk,
-    /// Warped-area sampling (Bangaru et al. 2020), a baseline. Biased, less with
-    /// more auxiliary rays; what is seen in mirrors is not covered.
-    #[cfg(feature = "paper")]
-    Was(WasSettings),
-    /// The same on the triangle that each direction hits, relative to its material
-    /// (Xu et al. 2023).
-    #[cfg(feature = "paper")]
-    PsdrWas(WasSettings),
     /// A field of your own, to be compared with these.
     #[serde(skip_deserializing)]
     Custom(&'static dyn CustomField),
@@ -166,34 +146,6 @@ impl Method {
                 name: "edges",
                 gathers: *gathers,
                 ..spherical
-            },
-            #[cfg(feature = "paper")]
-            Self::TriangleWalk => MethodTraits {
-                name: "walk, domain triangle",
-                is_spherical: false,
-                ..spherical
-            },
-            #[cfg(feature = "paper")]
-            Self::ExplicitWalk => MethodTraits {
-                name: "walk, domain explicit",
-                is_spherical: false,
-                ..spherical
-            },
-            #[cfg(feature = "paper")]
-            Self::Was(_) => MethodTraits {
-                name: "was",
-                is_unbiased: false,
-                walks: false,
-                gathers: Gathers::NONE,
-                is_spherical: false,
-            },
-            #[cfg(feature = "paper")]
-            Self::PsdrWas(_) => MethodTraits {
-                name: "psdr-was",
-                is_unbiased: false,
-                walks: false,
-                gathers: Gathers::NONE,
-                is_spherical: false,
             },
             Self::Custom(field) => MethodTraits {
                 name: field.name(),

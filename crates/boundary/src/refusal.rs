@@ -35,23 +35,6 @@ pub enum Refusal {
     NoSteps,
     /// The largest angle of a walk, radians, is not in (0, π].
     MaxAngle(f64),
-    /// Warped-area sampling without auxiliary rays, or with a concentration that is
-    /// not a positive number.
-    #[cfg(feature = "paper")]
-    AuxiliaryRays {
-        /// Auxiliary rays per direction.
-        rays: u32,
-        /// Their concentration `κ`.
-        kappa: f64,
-    },
-    /// More edges than a walk among explicit boundaries can test.
-    #[cfg(feature = "paper")]
-    ManyEdges {
-        /// Edges of the scene.
-        count: usize,
-        /// Most that are accepted.
-        most: usize,
-    },
     /// A custom field cannot be had.
     Custom {
         /// What was found where, without a full stop.
@@ -259,25 +242,6 @@ impl Refusal {
                 ),
                 None,
             ),
-            #[cfg(feature = "paper")]
-            Self::AuxiliaryRays { rays, kappa } => (
-                format!(
-                    "warped-area sampling with {rays} auxiliary rays of concentration {kappa}; \
-                     expected at least one ray and a finite concentration above 0"
-                ),
-                None,
-            ),
-            #[cfg(feature = "paper")]
-            Self::ManyEdges { count, most } => (
-                format!(
-                    "the scene has {count} edges, and walks among explicit boundaries test all of \
-                     them for every direction; expected at most {most}"
-                ),
-                instead(
-                    "Use fields on triangles or on the sphere, which find the closest ones in a \
-                     tree",
-                ),
-            ),
             Self::Custom { reason, instead } => (reason.clone(), instead.clone()),
             Self::HardShadows {
                 emitter,
@@ -457,8 +421,8 @@ fn specular_motion(cause: SpecularCause) -> (String, Option<String>) {
         }
         SpecularCause::Method => {
             return (
-                "objects move that are seen in mirrors or through transparent surfaces, and fields \
-                 on triangles do not cover the silhouettes seen there"
+                "objects move that are seen in mirrors or through transparent surfaces, and the \
+                 fields of this method do not cover the silhouettes seen there"
                     .into(),
                 Some(
                     "Use fields on the sphere, the default, which cover them in flat mirrors and \

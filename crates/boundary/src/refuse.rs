@@ -189,20 +189,6 @@ pub fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     refuse_clipped(accel)
 }
 
-/// A refusal if the scene has too many edges for the method.
-#[cfg(feature = "paper")]
-pub fn refuse_many_edges(boundaries: &Boundaries, method: &Method) -> Result<(), Refusal> {
-    use crate::paper::MOST_EDGES;
-    let count = boundaries.edges().len();
-    match *method == Method::ExplicitWalk && count > MOST_EDGES {
-        true => Err(Refusal::ManyEdges {
-            count,
-            most: MOST_EDGES,
-        }),
-        false => Ok(()),
-    }
-}
-
 /// A refusal if the method's field cannot be had among these boundaries.
 pub fn refuse_boundaries(
     boundaries: &Boundaries,
@@ -217,15 +203,6 @@ pub fn refuse_boundaries(
 
 /// A refusal if the settings of a method give no valid field.
 pub fn refuse_settings(method: &Method, walk: &WalkSettings) -> Result<(), Refusal> {
-    #[cfg(feature = "paper")]
-    if let Method::Was(was) | Method::PsdrWas(was) = method
-        && (was.rays == 0 || !(was.kappa > 0.0 && was.kappa.is_finite()))
-    {
-        return Err(Refusal::AuxiliaryRays {
-            rays: was.rays,
-            kappa: was.kappa,
-        });
-    }
     match method.traits().walks {
         true => refuse_walk(walk),
         false => Ok(()),

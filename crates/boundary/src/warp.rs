@@ -54,32 +54,6 @@ impl Field<'_> {
             Method::Auto | Method::Walk | Method::FittedWalk | Method::Edges(_) => {
                 Warp::Boundary(walk(self, viewpoint, q, settings, random))
             }
-            #[cfg(feature = "paper")]
-            Method::TriangleWalk => self
-                .triangle_flow(viewpoint, q, settings, random)
-                .map_or_else(
-                    || self.warp_beside(viewpoint, q, settings, random),
-                    Warp::Flow,
-                ),
-            #[cfg(feature = "paper")]
-            Method::ExplicitWalk => self
-                .explicit_flow(viewpoint, q, settings, random)
-                .map_or_else(
-                    || self.warp_beside(viewpoint, q, settings, random),
-                    Warp::Flow,
-                ),
-            #[cfg(feature = "paper")]
-            Method::Was(was) => Warp::Flow(crate::paper::was_flow(
-                self.accel,
-                viewpoint,
-                q,
-                was,
-                &random.branch(),
-            )),
-            #[cfg(feature = "paper")]
-            Method::PsdrWas(was) => {
-                Warp::Flow(self.psdr_was_flow(viewpoint, q, was, &random.branch()))
-            }
             Method::Custom(custom) => {
                 let (accel, boundaries, seen) = (self.accel, self.boundaries, viewpoint.value());
                 custom

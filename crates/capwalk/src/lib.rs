@@ -99,8 +99,6 @@ pub use capwalk_diff::{
     PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Seed, Statistics, Stencil, Trial,
     Unwatched, WalkSettings, Watch, with_threads,
 };
-#[cfg(feature = "paper")]
-pub use capwalk_diff::{WasBoundary, WasSettings};
 pub use capwalk_math::{Rgb, Vec3};
 pub use capwalk_scene::params::{self, ParameterError, vertex_tangent};
 pub use capwalk_scene::{
@@ -131,11 +129,8 @@ pub use folder_error::FolderError;
 pub use images::{read_layer, read_mask, write_image};
 pub use load::{Loader, load};
 pub use loss::{Distance, ImageLoss, Loss, Measured};
-#[cfg(feature = "paper")]
-pub use method::WasChoice;
 pub use method::{
-    Caveat, Choice, DomainName, MethodChoice, MethodName, MissingName, OptionError, WalkChoice,
-    caveat,
+    Caveat, Choice, MethodChoice, MethodName, MissingName, OptionError, WalkChoice, caveat,
 };
 pub use options::DifferenceOptions;
 pub use prepared::{Prepared, Values, comparable};

@@ -2,8 +2,6 @@
 //! faces share. Every option belongs to some methods and is an error beside others.
 
 use capwalk_diff::{AllowMissing, Estimator, GradientOptions, Method, WalkSettings};
-#[cfg(feature = "paper")]
-use capwalk_diff::{WasBoundary, WasSettings};
 use capwalk_scene::shown;
 
 /// A method and its options, as they were asked for. `None` is the default.
@@ -13,16 +11,11 @@ pub struct MethodChoice {
     pub method: MethodName,
     /// How it walks; for methods that walk.
     pub walk: WalkChoice,
-    /// How it warps; for warped-area sampling.
-    #[cfg(feature = "paper")]
-    pub was: WasChoice,
 }
 
 /// Options of the walk that builds the velocity field.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WalkChoice {
-    /// Where the velocity field lives.
-    pub domain: Option<DomainName>,
     /// Steps on spherical caps, at least 1.
     pub steps: Option<u32>,
     /// Estimator of the field's divergence.
@@ -32,22 +25,6 @@ pub struct WalkChoice {
     pub max_angle: Option<f64>,
     /// Whether each rim sample is averaged with the opposite one.
     pub antithetic: Option<bool>,
-}
-
-/// Options of warped-area sampling.
-#[cfg(feature = "paper")]
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WasChoice {
-    /// Concentration of the auxiliary rays, above 0.
-    pub kappa: Option<f64>,
-    /// Auxiliary rays per direction, at least 1.
-    pub rays: Option<u32>,
-    /// Which places count as near silhouettes.
-    pub boundary: Option<WasBoundary>,
-    /// Whether auxiliary rays come in opposite pairs.
-    pub antithetic: Option<bool>,
-    /// Whether their number is random, without the bias of a fixed one.
-    pub debias: Option<bool>,
 }
 
 /// Methods by name.
@@ -63,12 +40,6 @@ pub enum MethodName {
     /// `edges`: points on all edges before emitters and the camera, walks elsewhere.
     /// Unbiased.
     Edges,
-    /// `was`: warped-area sampling (Bangaru et al. 2020). Biased.
-    #[cfg(feature = "paper")]
-    Was,
-    /// `psdr-was`: the same in path space (Xu et al. 2023). Biased.
-    #[cfg(feature = "paper")]
-    PsdrWas,
 }
 
 /// What may be left out of a derivative, by name.
@@ -91,21 +62,6 @@ impl MissingName {
 
 impl Choice for MissingName {
     const NAMES: &'static [(&'static str, Self)] = &[("specular", Self::Specular)];
-}
-
-/// Where the velocity field of a walk lives, by name.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum DomainName {
-    /// `sphere`: on all directions around a point.
-    #[default]
-    Sphere,
-    /// `triangle`: on the triangle that a direction hits, as in the paper.
-    #[cfg(feature = "paper")]
-    Triangle,
-    /// `explicit`: the same among all silhouettes, for small scenes.
-    #[cfg(feature = "paper")]
-    Explicit,
 }
 
 /// What is chosen by its name.
@@ -134,32 +90,12 @@ impl Choice for MethodName {
         ("auto", Self::Auto),
         ("walk", Self::Walk),
         ("edges", Self::Edges),
-        #[cfg(feature = "paper")]
-        ("was", Self::Was),
-        #[cfg(feature = "paper")]
-        ("psdr-was", Self::PsdrWas),
-    ];
-}
-
-impl Choice for DomainName {
-    const NAMES: &'static [(&'static str, Self)] = &[
-        ("sphere", Self::Sphere),
-        #[cfg(feature = "paper")]
-        ("triangle", Self::Triangle),
-        #[cfg(feature = "paper")]
-        ("explicit", Self::Explicit),
     ];
 }
 
 impl Choice for Estimator {
     const NAMES: &'static [(&'static str, Self)] =
         &[("anchored", Self::Anchored), ("literal", Self::Literal)];
-}
-
-#[cfg(feature = "paper")]
-impl Choice for WasBoundary {
-    const NAMES: &'static [(&'static str, Self)] =
-        &[("normals", Self::Normals), ("edges", Self::Edges)];
 }
 
 /// Why options do not go together.
@@ -225,30 +161,15 @@ type MethodOption = (
     fn(&MethodChoice) -> bool,
 );
 
-/// Every option. `edges` walks where no edges are gathered, on the sphere.
+/// Every option. `edges` walks where no edges are gathered.
 const OPTIONS: &[MethodOption] = {
     use MethodName::{Edges, Walk};
-    #[cfg(feature = "paper")]
-    use MethodName::{PsdrWas, Was};
     const WALKS: &[MethodName] = &[Walk, Edges];
-    #[cfg(feature = "paper")]
-    const WARPS: &[MethodName] = &[Was, PsdrWas];
     &[
-        ("domain", &[Walk], |c| c.walk.domain.is_some()),
         ("steps", WALKS, |c| c.walk.steps.is_some()),
         ("estimator", WALKS, |c| c.walk.estimator.is_some()),
         ("max_angle", WALKS, |c| c.walk.max_angle.is_some()),
         ("antithetic", WALKS, |c| c.walk.antithetic.is_some()),
-        #[cfg(feature = "paper")]
-        ("kappa", WARPS, |c| c.was.kappa.is_some()),
-        #[cfg(feature = "paper")]
-        ("rays", WARPS, |c| c.was.rays.is_some()),
-        #[cfg(feature = "paper")]
-        ("boundary", WARPS, |c| c.was.boundary.is_some()),
-        #[cfg(feature = "paper")]
-        ("antithetic", WARPS, |c| c.was.antithetic.is_some()),
-        #[cfg(feature = "paper")]
-        ("debias", WARPS, |c| c.was.debias.is_some()),
     ]
 };
 
@@ -259,11 +180,6 @@ impl MethodName {
             .iter()
             .filter(move |(_, methods, _)| methods.contains(&self));
         options.map(|(name, ..)| *name)
-    }
-
-    /// True if the method has an option of this name.
-    pub fn has(self, option: &str) -> bool {
-        self.options().any(|name| name == option)
     }
 }
 
@@ -309,21 +225,13 @@ impl MethodChoice {
         {
             return Err(OptionError::Steps { steps });
         }
-        let method = match (self.method, self.walk.domain.unwrap_or_default()) {
-            (MethodName::Auto, _) => Method::Auto,
-            (MethodName::Walk, DomainName::Sphere) => match self.walk.max_angle {
+        let method = match self.method {
+            MethodName::Auto => Method::Auto,
+            MethodName::Walk => match self.walk.max_angle {
                 Some(_) => Method::Walk,
                 None => Method::FittedWalk,
             },
-            #[cfg(feature = "paper")]
-            (MethodName::Walk, DomainName::Triangle) => Method::TriangleWalk,
-            #[cfg(feature = "paper")]
-            (MethodName::Walk, DomainName::Explicit) => Method::ExplicitWalk,
-            (MethodName::Edges, _) => Method::EDGES,
-            #[cfg(feature = "paper")]
-            (MethodName::Was, _) => Method::Was(self.was.settings()),
-            #[cfg(feature = "paper")]
-            (MethodName::PsdrWas, _) => Method::PsdrWas(self.was.settings()),
+            MethodName::Edges => Method::EDGES,
         };
         Ok((method, self.walk.settings()))
     }
@@ -341,57 +249,26 @@ impl WalkChoice {
     }
 }
 
-#[cfg(feature = "paper")]
-impl WasChoice {
-    fn settings(&self) -> WasSettings {
-        let default = WasSettings::default();
-        WasSettings {
-            kappa: self.kappa.unwrap_or(default.kappa),
-            rays: self.rays.unwrap_or(default.rays),
-            boundary: self.boundary.unwrap_or(default.boundary),
-            antithetic: self.antithetic.unwrap_or(default.antithetic),
-            debias: self.debias.unwrap_or(default.debias),
-        }
-    }
-}
-
 /// What the standard errors of a method do not say.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Caveat {
     /// The estimator has infinite variance: standard errors are too small.
     InfiniteVariance,
-    /// The method is biased: standard errors do not bound its errors, and what moves in
-    /// mirrors is missing.
+    /// The method is biased: standard errors do not bound its errors.
     Biased,
-    /// Standard errors can be too small near edges, and what moves in mirrors is
-    /// missing.
-    ErrorsTooSmall,
-    /// Rare samples are very large: while none of them is among the samples, standard errors
-    /// are too small.
-    HeavyTail,
 }
 
 /// What to know of the standard errors of a gradient with these options; `None` if they
 /// can be relied on.
 pub fn caveat(method: Method, walk: &WalkSettings) -> Option<Caveat> {
-    #[cfg(feature = "paper")]
-    if let Method::Was(was) | Method::PsdrWas(was) = method {
-        return Some(match was.debias {
-            true => Caveat::ErrorsTooSmall,
-            false => Caveat::Biased,
-        });
+    let traits = method.traits();
+    if !traits.is_unbiased {
+        return Some(Caveat::Biased);
     }
     // In pairs of opposite azimuths what is infinite cancels (METHOD 2).
     let is_infinite = walk.estimator == Estimator::Literal && !walk.antithetic;
-    if method.traits().walks && is_infinite {
-        return Some(Caveat::InfiniteVariance);
-    }
-    #[cfg(feature = "paper")]
-    if method == Method::TriangleWalk {
-        return Some(Caveat::HeavyTail);
-    }
-    None
+    (traits.walks && is_infinite).then_some(Caveat::InfiniteVariance)
 }
 
 #[cfg(test)]
@@ -408,11 +285,8 @@ mod tests {
             assert_eq!(T::named("nothing"), None);
         }
         round_trip::<MethodName>();
-        round_trip::<DomainName>();
         round_trip::<MissingName>();
         round_trip::<Estimator>();
-        #[cfg(feature = "paper")]
-        round_trip::<WasBoundary>();
     }
 
     #[test]
@@ -424,26 +298,11 @@ mod tests {
         choice.walk.steps = Some(3);
         let (method, walk) = choice.resolve().expect("it walks elsewhere");
         assert_eq!((method, walk.steps), (Method::EDGES, 3));
-        choice.walk.domain = Some(DomainName::Sphere);
-        let error = choice.resolve().expect_err("edges has no domain");
+        choice.method = MethodName::Auto;
+        let error = choice.resolve().expect_err("a pilot chooses its walks");
         assert_eq!(
             error.to_string(),
-            "`domain` belongs to the method walk, and the method is edges"
+            "`steps` belongs to the method walk, and the method is auto"
         );
-    }
-
-    #[cfg(feature = "paper")]
-    #[test]
-    fn warps_have_options_of_their_own() {
-        let mut choice = MethodChoice::default();
-        choice.was.kappa = Some(10.0);
-        assert!(choice.resolve().is_err());
-        choice.method = MethodName::PsdrWas;
-        let expected = WasSettings {
-            kappa: 10.0,
-            ..WasSettings::default()
-        };
-        let (method, _) = choice.resolve().expect("its own");
-        assert_eq!(method, Method::PsdrWas(expected));
     }
 }

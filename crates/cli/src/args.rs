@@ -1,8 +1,6 @@
 //! The arguments of the command line.
 
 mod parse;
-#[cfg(feature = "paper")]
-pub mod was;
 
 use std::num::NonZeroU32;
 use std::path::PathBuf;
@@ -11,9 +9,6 @@ use std::time::Duration;
 use capwalk::optimize::parse_duration;
 use capwalk::{Device, SensorChoice, Setting};
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
-
-#[cfg(feature = "paper")]
-pub use was::WasArgs;
 
 /// Unbiased derivatives of rendered images.
 #[derive(Parser, Debug)]
@@ -210,8 +205,8 @@ pub struct MotionArgs {
 /// How derivatives are estimated.
 #[derive(Args, Debug)]
 pub struct MethodArgs {
-    /// How discontinuities at edges are accounted for; all but `auto`, `walk` and `edges`
-    /// are baselines to compare with [default: auto; walk if one of its options is given]
+    /// How discontinuities at edges are accounted for [default: auto; walk if one of its options
+    /// is given]
     #[arg(long)]
     pub method: Option<MethodName>,
     /// Leave this out of derivatives that would be refused otherwise, compute the rest, and say
@@ -220,13 +215,9 @@ pub struct MethodArgs {
     pub allow_missing: Vec<MissingArg>,
     #[command(flatten)]
     pub walk: WalkArgs,
-    #[cfg(feature = "paper")]
-    #[command(flatten)]
-    pub was: WasArgs,
 }
 
-/// Methods by name. Those of the paper are hidden, and refused, without the feature
-/// `paper`.
+/// Methods by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum MethodName {
     /// Whichever of `walk` and `edges` a short pilot finds to have less noise: unbiased
@@ -235,12 +226,6 @@ pub enum MethodName {
     Walk,
     /// Points on edges in front of light and the camera, walks where that cannot be: unbiased
     Edges,
-    /// Warped-area sampling (Bangaru et al. 2020): biased
-    #[cfg_attr(not(feature = "paper"), value(hide = true))]
-    Was,
-    /// Warped-area sampling in path space (Xu et al. 2023): biased
-    #[cfg_attr(not(feature = "paper"), value(hide = true))]
-    PsdrWas,
     /// Central finite differences, for `gradient`
     Fd,
 }
@@ -256,9 +241,6 @@ pub enum MissingArg {
 /// How the velocity field is estimated with `--method walk`, and where `edges` walks.
 #[derive(Args, Debug, Default)]
 pub struct WalkArgs {
-    /// Where the velocity field lives [default: sphere]
-    #[arg(long, hide = cfg!(not(feature = "paper")))]
-    pub domain: Option<DomainName>,
     /// Steps of the walk on spherical caps [default: 1]
     #[arg(long, value_name = "M", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub walk_steps: Option<u32>,
@@ -273,20 +255,6 @@ pub struct WalkArgs {
     /// Average each rim sample with the one on the other side of the cap
     #[arg(long)]
     pub antithetic: bool,
-}
-
-/// Domains of walks by name. Those of the paper are hidden, and refused, without the
-/// feature `paper`.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum DomainName {
-    /// On all directions around a point
-    Sphere,
-    /// On the triangle that a direction hits, as in the paper: noisier
-    #[cfg_attr(not(feature = "paper"), value(hide = true))]
-    Triangle,
-    /// The same, with walks on disks among all silhouettes: for small scenes
-    #[cfg_attr(not(feature = "paper"), value(hide = true))]
-    Explicit,
 }
 
 /// Estimators by name.

@@ -245,8 +245,6 @@ impl<'a> GradientWork<'a> {
         refuse_settings(&options.method, &options.walk)?;
         let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
         refuse_infinite_derivatives(scene, is_asked_for)?;
-        #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(watch)?, &options.method)?;
         let moves = self.wanted.geometry();
         let turns = tangent.shapes.iter().any(Option::is_some);
         refuse_cut_normals(scene, turns || moves, is_asked_for)?;

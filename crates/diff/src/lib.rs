@@ -23,8 +23,6 @@ pub use capwalk_boundary::pool::with_threads;
 pub use capwalk_boundary::{
     Gathers, Method, MethodTraits, Refusal, SpecularCause, may_be_specular,
 };
-#[cfg(feature = "paper")]
-pub use capwalk_boundary::{WasBoundary, WasSettings};
 pub use capwalk_render::{
     Accumulate, Cell, Estimate, GradientImage, Grid, Halted, Missing, Part, PartError, Partial,
     PixelSums, PreparedScene, Purpose, RenderOptions, RenderWork, Rendering, Seed, Statistics,

@@ -319,8 +319,6 @@ impl<'a> BackwardWork<'a> {
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
-        #[cfg(feature = "paper")]
-        capwalk_boundary::refuse::refuse_many_edges(self.boundaries(watch)?, &options.method)?;
         refuse_boundaries(self.boundaries(watch)?, &options.method, &options.walk)?;
         self.coverage().check(options, watch)
     }

@@ -17,9 +17,6 @@ use crate::scene::Scene;
 use crate::watched::{How, watched};
 use crate::{arrays, errors};
 
-/// What Python offers: with the feature `paper` there is more, which is to compare with.
-const METHODS: [MethodName; 3] = [MethodName::Auto, MethodName::Walk, MethodName::Edges];
-
 /// What is asked for besides the scene and the direction.
 #[derive(FromPyObject)]
 pub struct Options<'py> {
@@ -82,9 +79,9 @@ impl<'py> Options<'py> {
                 ..sampled
             });
         }
-        let named = MethodName::named(&self.method);
-        let Some(method) = named.filter(|method| METHODS.contains(method)) else {
-            let (method, names) = (&self.method, METHODS.map(MethodName::name).join(", "));
+        let Some(method) = MethodName::named(&self.method) else {
+            let names: Vec<_> = MethodName::NAMES.iter().map(|(name, _)| *name).collect();
+            let (method, names) = (&self.method, names.join(", "));
             let text = format!("there is no method \"{method}\"; there are {names}");
             return Err(errors::argument(py, text));
         };
@@ -94,14 +91,7 @@ impl<'py> Options<'py> {
             antithetic: self.antithetic,
             ..WalkChoice::default()
         };
-        // With `paper` a choice has more than this.
-        #[allow(clippy::needless_update)]
-        let choice = MethodChoice {
-            method,
-            walk,
-            ..MethodChoice::default()
-        };
-        let options = choice.apply(sampled);
+        let options = MethodChoice { method, walk }.apply(sampled);
         options.map_err(|error| errors::exception(py, error))
     }
 

@@ -11,26 +11,16 @@
 //! sums them up; whoever wants the adjoint scatters them.
 //!
 //! The algorithm is written once over a [`Domain`]: [`Sphere`] walks on caps
-//! (Algorithms 6 and 7). The feature `paper` adds the paper's own domains, to compare
-//! with: `Triangle`, the part of the sphere that shows a triangle, and `Plane`, with
-//! disks (Algorithms 2 to 4).
+//! (Algorithms 6 and 7).
 //!
 //! Nothing here knows about light.
 
 pub mod domain;
 pub mod field;
 pub mod fixed_step;
-#[cfg(feature = "paper")]
-pub mod plane;
 pub mod sphere;
-#[cfg(feature = "paper")]
-pub mod triangle;
 
 pub use domain::{Domain, Nearest, Vector};
 pub use field::{FieldSample, Term};
 pub use fixed_step::{Estimator, WalkSettings, sample_field, sample_value};
-#[cfg(feature = "paper")]
-pub use plane::Plane;
 pub use sphere::Sphere;
-#[cfg(feature = "paper")]
-pub use triangle::{Triangle, TriangleBoundary};

@@ -1,9 +1,10 @@
 //! Methods at equal samples: what figures 1 and 9 have in common.
 
-use capwalk_diff::{Method, WalkSettings, WasSettings, check};
+use capwalk_diff::{Method, WalkSettings, check};
 use capwalk_scene_io::image::{Style, robust_limit};
 
 use crate::claim::{self, Claim, Measured, Verdict};
+use crate::fields::{ON_TRIANGLES, WasSettings, psdr_was, was};
 use crate::figure::{Figure, Row, Shown, Table};
 use crate::gradients::{Run, Squares, Subject, l1_gain, mean_l1, mean_size, shown};
 use crate::reach::{self, Reached};
@@ -32,9 +33,9 @@ pub struct Errors {
 
 impl Errors {
     fn of(&self, method: Method) -> f64 {
-        match method {
-            Method::Was(_) => self.was,
-            Method::PsdrWas(_) => self.psdr_was,
+        match method.name() {
+            "was" => self.was,
+            "psdr-was" => self.psdr_was,
             _ => self.ours,
         }
     }
@@ -52,12 +53,12 @@ enum Kind {
 }
 
 fn methods() -> Vec<(&'static str, Method, Kind)> {
-    let was = WasSettings::default();
+    let default = WasSettings::default();
     vec![
         ("ours", Method::FittedWalk, Kind::Ours),
-        ("ours on triangles", Method::TriangleWalk, Kind::Ours),
-        ("WAS", Method::Was(was), Kind::Baseline),
-        ("PSDR-WAS", Method::PsdrWas(was), Kind::Baseline),
+        ("ours on triangles", ON_TRIANGLES, Kind::Ours),
+        ("WAS", was(default), Kind::Baseline),
+        ("PSDR-WAS", psdr_was(default), Kind::Baseline),
         ("edges (beyond the paper)", Method::EDGES, Kind::Beyond),
     ]
 }

@@ -6,14 +6,14 @@ use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Rgb, Vec2, Vec3, sphere};
 use capwalk_scene::Image;
 use capwalk_scene_io::image::{Style, robust_limit};
-use capwalk_walk::plane::CurvePoint;
-use capwalk_walk::{Domain, Plane, Sphere, WalkSettings, sample_field, sample_value};
+use capwalk_walk::{Domain, Sphere, WalkSettings, sample_field, sample_value};
 use rayon::prelude::*;
 
 use crate::claim::{self, Claim};
 use crate::figure::{Figure, Row, Shown};
 use crate::random::random;
 use crate::settings::{Failure, Settings};
+use crate::walk::plane::{CurvePoint, Plane};
 
 /// Half the distance of the points of a difference.
 const STEP: f64 = 0.004;

@@ -2,7 +2,7 @@
 
 mod flower;
 
-use capwalk_diff::{AllowMissing, Method, PreparedScene, WalkSettings, WasSettings, render};
+use capwalk_diff::{AllowMissing, Method, PreparedScene, WalkSettings, render};
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
@@ -17,6 +17,7 @@ use capwalk_scene::params::Registry;
 use capwalk_scene_io::image::Style;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};
+use crate::fields::{WasSettings, was};
 use crate::figure::{Curve, Figure, Plot, Row, Scale, Shown, Table};
 use crate::settings::{Failure, Settings, complete};
 use flower::{RIM, scene, shape_error, vertex_distance};
@@ -93,7 +94,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     };
     let searches = [
         search("ours", Method::FittedWalk)?,
-        search("WAS", Method::Was(WasSettings::default()))?,
+        search("WAS", was(WasSettings::default()))?,
     ];
     let photo = |title: &str, image: &Image| Shown {
         title: title.into(),

@@ -3,8 +3,8 @@
 //! verdict by a statistical test.
 //!
 //! [`write()`] puts figures into a folder: PNG, EXR and CSV files, and one HTML page that needs no
-//! other file. The crate also has the walks that the paper compares its own with ([`walk`]), and
-//! its scene ([`bunny_shadow`]).
+//! other file. The crate also has what the paper compares with, walks ([`walk`]) and velocity
+//! fields ([`fields`]), and its scene ([`bunny_shadow`]).
 //!
 //! ```no_run
 //! use capwalk_paper::{ALL, Quality, Settings, write};
@@ -18,6 +18,7 @@ pub mod bunny_shadow;
 mod claim;
 mod curves;
 mod equal;
+pub mod fields;
 mod fig01;
 mod fig03;
 mod fig08;

@@ -5,17 +5,17 @@
 use capwalk_diff::Method;
 use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
-use capwalk_walk::plane::CurvePoint;
-use capwalk_walk::{
-    Domain, Estimator, Plane, Sphere, Triangle, TriangleBoundary, WalkSettings, sample_field,
-};
+use capwalk_walk::{Domain, Estimator, Sphere, WalkSettings, sample_field};
 use rayon::prelude::*;
 
 use crate::claim::{Claim, Measured, Verdict};
+use crate::fields::ON_TRIANGLES;
 use crate::figure::{Curve, Figure, Plot, Row, Scale, Table};
 use crate::gradients::Subject;
 use crate::random::random;
 use crate::settings::{Failure, Settings};
+use crate::walk::plane::{CurvePoint, Plane};
+use crate::walk::triangle::{Triangle, TriangleBoundary};
 
 /// Variances of the divergence at a point, one for each of the replicates.
 fn variances<D: Domain>(
@@ -221,7 +221,7 @@ fn in_pictures(settings: &Settings) -> Result<Table, Failure> {
     let mut rows = Vec::new();
     for (domain, method) in [
         ("all directions", Method::Walk),
-        ("the triangle that is met", Method::TriangleWalk),
+        ("the triangle that is met", ON_TRIANGLES),
     ] {
         for estimator in [Estimator::Literal, Estimator::Anchored] {
             let walk = WalkSettings {

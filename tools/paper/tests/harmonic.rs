@@ -3,9 +3,9 @@
 
 use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Vec2, Vec3, sphere};
+use capwalk_paper::walk::plane::{CurvePoint, Plane};
 use capwalk_paper::walk::random_step::{ShellSettings, sample_harmonic};
-use capwalk_walk::plane::CurvePoint;
-use capwalk_walk::{Domain, Estimator, Plane, Sphere, WalkSettings, sample_value};
+use capwalk_walk::{Domain, Estimator, Sphere, WalkSettings, sample_value};
 
 #[path = "../../../crates/walk/tests/common/mod.rs"]
 mod common;

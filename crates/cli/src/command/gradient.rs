@@ -146,7 +146,7 @@ impl Way {
         options: RenderOptions,
         default_step: impl Fn() -> f64,
     ) -> Result<Self> {
-        let typed = method::typed(&args.method)?;
+        let typed = method::typed(&args.method);
         if typed == MethodName::Fd {
             method::refuse_options_of_others(&args.method)?;
             let step = args.step.unwrap_or_else(default_step);

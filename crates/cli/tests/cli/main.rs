@@ -2,11 +2,7 @@
 
 mod backward;
 mod bad_input;
-#[cfg(feature = "paper")]
-mod baselines;
 mod compare;
-#[cfg(not(feature = "paper"))]
-mod default_build;
 mod demo;
 #[cfg(feature = "gpu")]
 mod device;
@@ -26,6 +22,8 @@ mod settings;
 mod stopping;
 mod streams;
 mod verdicts;
+#[cfg(not(feature = "gpu"))]
+mod without_gpu;
 
 #[cfg(unix)]
 use std::io::{BufRead, BufReader, Read};

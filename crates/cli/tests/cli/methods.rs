@@ -4,7 +4,7 @@ use capwalk_scene_io::{arrays, image};
 
 use crate::{Capwalk, assert_has};
 
-pub const LEAF: &str = "leaf -p leaf.translate.x --size 12x9 --spp 4";
+const LEAF: &str = "leaf -p leaf.translate.x --size 12x9 --spp 4";
 
 #[test]
 fn options_of_other_methods_are_errors() {
@@ -30,7 +30,7 @@ fn options_of_other_methods_are_errors() {
 
 /// What a gradient of the leaf by a method says, and the method and the step that its
 /// file names.
-pub fn gradient_by(capwalk: &Capwalk, method: &str) -> (String, Option<String>, Option<String>) {
+fn gradient_by(capwalk: &Capwalk, method: &str) -> (String, Option<String>, Option<String>) {
     let finished = capwalk.run(&format!("gradient {LEAF} {method} -o out.exr"));
     assert_eq!(finished.status, 0, "{}", finished.stderr);
     let image = image::read(&capwalk.path("out.exr")).expect("it was written");
@@ -61,6 +61,22 @@ fn methods_say_what_they_are() {
     assert_has(&stderr, &["fd is a baseline"]);
     assert_eq!(method.as_deref(), Some("fd"));
     assert_eq!(step.as_deref(), Some("0.125"));
+}
+
+/// Textures that jump are no refusal, and `info` says what they are made of.
+#[test]
+fn textures_that_jump() {
+    let capwalk = Capwalk::new("jumps");
+    let scene = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
+<emitter type="constant"/><shape type="cube" id="box"><bsdf type="diffuse">
+<texture name="reflectance" type="checkerboard"/></bsdf></shape></scene>"#;
+    capwalk.write("board.xml", scene);
+    let gradient = "gradient board.xml -p box.scale --size 8x8 --spp 1";
+    assert_eq!(capwalk.run(gradient).status, 0);
+    let info = capwalk.run("info board.xml").stdout;
+    let colours = ["checkerboard of (0.4", "box.bsdf.reflectance.color1.value"];
+    assert_has(&info, &colours);
+    assert!(!info.contains("refused"), "{info}");
 }
 
 /// Wherever standard errors are stated that do not bound errors.
@@ -140,10 +156,10 @@ fn every_command_takes_edges() {
             (Some("walk"), Some("walk"))
         );
         assert_ne!(by_edges, by_walk, "{command}");
-        let refused = capwalk.error(&format!("{command} --method edges --domain sphere"));
+        let refused = capwalk.error(&format!("{command} --method auto --walk-steps 2"));
         assert_has(
             &refused,
-            &["--domain", "the method is edges", "--method walk"],
+            &["--walk-steps", "the method is auto", "--method walk"],
         );
     }
 }

@@ -12,10 +12,9 @@ use serde_json::Value;
 
 use crate::capwalk;
 use crate::folder::{Differences, Folder, WIDE};
+use crate::methods::SIGN;
 
 const MEAN_Z_SQUARED: std::ops::RangeInclusive<f64> = 0.8..=1.25;
-/// Standard errors of the sum of all differences.
-pub const SIGN: f64 = 4.0;
 
 /// Checks a derivative as a user does, and demands agreement. What is written goes to
 /// a file, to be used again.

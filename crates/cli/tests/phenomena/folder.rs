@@ -39,9 +39,6 @@ pub struct Differences {
     pub pixels: Option<usize>,
     /// What `--method edges` is like.
     pub edges: Edges,
-    /// True if fields on triangles (`--domain triangle`) agree with them, too.
-    #[cfg_attr(not(feature = "paper"), expect(dead_code, reason = "there are none"))]
-    pub triangles: bool,
 }
 
 /// What gathered edges have to do with a derivative.
@@ -134,7 +131,6 @@ impl Check {
             "pixels",
             "edges_walked",
             "edges_noisy",
-            "triangles",
             "refused",
         ];
         if !object.keys().all(|key| known.contains(&key.as_str())) {
@@ -162,10 +158,6 @@ impl Check {
                     None => None,
                 },
                 edges,
-                triangles: match object.get("triangles") {
-                    Some(compared) => compared.as_bool()?,
-                    None => false,
-                },
             }),
         };
         Some(Self { parameter, demand })

@@ -7,7 +7,7 @@ use capwalk_diff::Method;
 use capwalk_scene::{EmitterVectors, SensorVectors, params};
 
 use crate::folder::{Edges, Folder};
-use crate::methods::{agrees, by, chosen};
+use crate::methods::{agrees, by, chosen, differences};
 
 /// Enough samples to see that two methods are not the same.
 const FEW: u32 = 4;
@@ -39,9 +39,11 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
         "{name}: are edges the same as walks, as check.json says?"
     );
     if edges == Edges::Gathered {
-        agrees(&format!("{name}, edges"), gathered, &scene, &tangent, check);
+        let name = format!("{name}, edges");
+        agrees(&name, gathered, &scene, &tangent, &differences(check));
     }
     if few_auto != walked && few_auto != few_gathered {
-        agrees(&format!("{name}, auto"), auto, &scene, &tangent, check);
+        let name = format!("{name}, auto");
+        agrees(&name, auto, &scene, &tangent, &differences(check));
     }
 }

@@ -1,7 +1,7 @@
 //! The phenomena: every folder of `tests/scenes` has a scene and the parameters
 //! by which its image is differentiated. Each derivative equals finite
-//! differences, with edges gathered as well as walked to, some with the paper's fields
-//! on triangles; forward mode agrees with reverse mode; or it is refused with the reason.
+//! differences, with edges gathered as well as walked to; forward mode agrees with reverse
+//! mode; or it is refused with the reason.
 //! `cargo test -p capwalk-cli --test phenomena <folder>` runs one.
 
 mod both_modes;
@@ -9,8 +9,6 @@ mod differences;
 mod folder;
 mod gathered;
 mod methods;
-#[cfg(feature = "paper")]
-mod on_triangles;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -157,10 +155,6 @@ fn run(name: &str) {
                 let check = out.join("check.npz");
                 differences::agree(&folder, parameter, differences, &check);
                 gathered::agree(&folder, parameter, differences.edges, &check);
-                #[cfg(feature = "paper")]
-                if differences.triangles {
-                    on_triangles::agree(&folder, parameter, &check);
-                }
                 both_modes::agree(&folder, parameter, &out);
             }
             Demand::Refuse(words) => refuse(&folder, parameter, words, &out),

@@ -13,7 +13,8 @@ use capwalk_diff::{
 use capwalk_scene::{Scene, Tangent};
 use capwalk_scene_io::image;
 
-use crate::differences::SIGN;
+/// Standard errors of the sum of all differences.
+pub const SIGN: f64 = 4.0;
 
 /// Of fewer samples, the errors of rare events are not known well: in `textured_plane_moves`, 16
 /// leave a pixel 9.6 standard errors off.
@@ -39,7 +40,17 @@ pub fn by(options: GradientOptions, spp: u32, scene: &Scene, tangent: &Tangent) 
     result.gradient
 }
 
-/// Demands that the derivative with these options agrees with the differences in a file. The scene has
+/// The differences in a file that `check` wrote.
+pub fn differences(check: &Path) -> Estimate {
+    let file = image::read(check).expect("readable");
+    let layer = |name: &str| file.layer(name).expect("written").clone();
+    Estimate {
+        mean: layer("reference"),
+        standard_error: layer("reference_stderr"),
+    }
+}
+
+/// Demands that the derivative with these options agrees with the differences. The scene has
 /// the samples that walks need; often an eighth of them tells. A factor that is wrong by 10 % comes
 /// out as right three times as often as with one look, in 7 % of cases at most.
 pub fn agrees(
@@ -47,18 +58,12 @@ pub fn agrees(
     options: GradientOptions,
     scene: &Scene,
     tangent: &Tangent,
-    check: &Path,
+    differences: &Estimate,
 ) {
-    let differences = image::read(check).expect("readable");
-    let layer = |name: &str| differences.layer(name).expect("written").clone();
-    let differences = Estimate {
-        mean: layer("reference"),
-        standard_error: layer("reference_stderr"),
-    };
     let spp = scene.settings.spp;
     let looks = [spp / 8, spp / 2, spp].into_iter();
     for spp in looks.filter(|&spp| spp >= LEAST) {
-        let result = compare(&by(options, spp, scene, tangent), &differences);
+        let result = compare(&by(options, spp, scene, tangent), differences);
         println!("{name}, {spp} samples: {result}");
         assert!(
             result.sign.abs() < SIGN,

@@ -4,8 +4,6 @@
 
 mod adaptive;
 mod auto;
-#[cfg(feature = "paper")]
-mod baselines;
 mod closed_forms;
 mod common;
 mod coverage;
@@ -26,14 +24,10 @@ mod phenomena_parallel;
 mod phenomena_sensors;
 mod phenomena_shadows;
 mod phenomena_sky_edges;
-#[cfg(feature = "paper")]
-mod phenomena_triangle;
 mod phenomena_visible;
 mod prepared;
 mod random_scenes;
 mod reference_setup;
-#[cfg(feature = "paper")]
 mod refusals;
-#[cfg(feature = "paper")]
 mod reverse;
 mod wide_scenes;

@@ -6,19 +6,18 @@ use std::borrow::Cow;
 
 use crate::common::agree::tangent;
 use crate::common::materials::*;
-use crate::common::refused::{material, mirror_floor, refusals_with};
+use crate::common::refused::{checkered_floor, mirror_floor, refusals_with};
 use crate::common::stages::*;
 use crate::common::*;
 use capwalk_diff::{
     AllowMissing, GradientOptions, GradientWork, Method, Part, PreparedScene, RenderOptions,
-    Unwatched, WasSettings, gradient,
+    Unwatched, gradient,
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::bsdf::{Glass, PrincipledTextures};
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{icosphere, rectangle};
-use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
 
 /// True if both modes refuse, by name.
@@ -43,41 +42,6 @@ fn a_lamp_that_moves_in_a_mirror() {
     assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
     scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     assert!(!is_refused(&scene, "lamp.translate.x"));
-}
-
-/// Fields on triangles have no images, flat or not; who is told so is told what has.
-#[test]
-fn a_lamp_that_moves_in_a_flat_mirror() {
-    let mut scene = mirror_floor();
-    scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
-    for name in ["lamp.translate.x", "sensor.translate.x", "floor.rotate.x"] {
-        let tangent = tangent(&scene, name);
-        for reason in refusals_with(&scene, &tangent, Method::TriangleWalk) {
-            let reason = reason.expect("refused");
-            assert!(reason.contains("on the sphere"), "{name}: {reason}");
-        }
-    }
-}
-
-/// Explicit walks are for small scenes.
-#[test]
-fn too_many_edges_for_explicit_walks() {
-    let mut scene = visible_cube();
-    let method = Method::ExplicitWalk;
-    let translation = tangent(&scene, "thing.translate.x");
-    scene.film.crop_size = [2, 2];
-    let reasons = refusals_with(&scene, &translation, method);
-    assert_eq!(reasons, [None, None]);
-    add(&mut scene, "ball", icosphere(12), ShadingNormals::Face, 0.5);
-    let translation = tangent(&scene, "thing.translate.x");
-    for reason in refusals_with(&scene, &translation, method) {
-        let reason = reason.expect("refused");
-        assert!(
-            reason.contains("edges, and walks among explicit"),
-            "{reason}"
-        );
-        assert!(reason.contains("on triangles"), "{reason}");
-    }
 }
 
 /// A black ball hides the sky's reflection: it is met by the last segment, which
@@ -182,26 +146,6 @@ fn mirrors_under_parallel_rays() {
     assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
 }
 
-/// Warped-area sampling has no rays around a point where all of them are parallel.
-#[test]
-fn warped_areas_under_parallel_rays() {
-    let mut scene = visible_cube();
-    scene.sensor.model = SensorModel::Orthographic;
-    let settings = GradientOptions {
-        method: Method::Was(WasSettings::default()),
-        ..exact::settings(2)
-    };
-    let moves = tangent(&scene, "thing.translate.x");
-    let refusal = gradient(
-        &PreparedScene::new(scene.clone()),
-        &moves,
-        &settings,
-        &Unwatched,
-    )
-    .expect_err("refused");
-    assert!(refusal.to_string().contains("orthographic"), "{refusal}");
-}
-
 /// The plane in which the film of an orthographic sensor lies cuts what it passes
 /// through, too.
 #[test]
@@ -248,37 +192,17 @@ fn numbers_without_a_derivative() {
     }
 }
 
-/// Lines where textures jump are boundaries, if there are not too many of them; the
-/// baselines know none.
+/// Lines where textures jump are boundaries, if there are not too many of them.
 #[test]
 fn motion_beside_textures_that_jump() {
-    let run = |squares: f64, method: Method| {
-        let mut scene = shadow_stage();
-        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
-        unit_square(&mut scene, "floor");
-        let id = scene.add_texture(Texture {
-            id: "squares".into(),
-            channels: 1,
-            data: vec![0.2, 0.7],
-            pattern: Pattern::Checkerboard {
-                to_uv: UvTransform {
-                    rows: [[squares, 0.0, 0.0], [0.0, squares, 0.0]],
-                },
-            },
-        });
-        material(&mut scene, "floor.bsdf", Bsdf::Diffuse { reflectance: id });
-        let reasons = refusals_with(&scene, &tangent(&scene, "lamp.translate.x"), method);
-        reasons.map(|reason| reason.unwrap_or_default())
-    };
-    let was = || Method::Was(WasSettings::default());
     for (squares, method, why) in [
         (4.0, Method::Walk, ""),
         (4.0, Method::EDGES, ""),
         (1e7, Method::Walk, "lines"),
-        (4.0, was(), "`was`"),
-        (4.0, Method::TriangleWalk, "the default method"),
     ] {
-        for reason in run(squares, method) {
+        let scene = checkered_floor(squares);
+        for reason in refusals_with(&scene, &tangent(&scene, "lamp.translate.x"), method) {
+            let reason = reason.unwrap_or_default();
             let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
             assert!(is_right, "{squares} {method:?}: {reason}");
         }
@@ -411,16 +335,5 @@ fn walks_without_steps_or_reach() {
         wanted.walk.steps = steps;
         wanted.walk.max_radius = max_radius;
         refused(&wanted, expected);
-    }
-    for (rays, kappa) in [(0, 1e5), (8, 0.0), (8, f64::NAN)] {
-        wanted.method = Method::Was(WasSettings {
-            rays,
-            kappa,
-            ..WasSettings::default()
-        });
-        refused(
-            &wanted,
-            &format!("warped-area sampling with {rays} auxiliary rays"),
-        );
     }
 }

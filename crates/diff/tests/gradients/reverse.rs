@@ -10,8 +10,8 @@ use crate::common::materials::*;
 use crate::common::stages::*;
 use crate::common::*;
 use capwalk_diff::{
-    Backward, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted,
-    WasBoundary, WasSettings, backward, gradient, with_threads,
+    Backward, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward,
+    gradient, with_threads,
 };
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::lobe::Distribution;
@@ -124,32 +124,6 @@ fn parallel_rays() {
     }
 }
 
-/// A field of another kind, also across the borders of a box filter and before a
-/// mirror, where it is biased in both modes alike.
-#[test]
-fn warped_area_sampling() {
-    let mut scene = visible_ball(Filter::Box);
-    make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
-    small(&mut scene, 4);
-    let tangent = everything(&scene, 11);
-    let prepared = PreparedScene::new(scene);
-    let debiased = WasSettings {
-        boundary: WasBoundary::Normals,
-        rays: 3,
-        debias: true,
-        ..WasSettings::default()
-    };
-    for was in [WasSettings::default(), debiased] {
-        for method in [Method::Was(was), Method::PsdrWas(was)] {
-            let settings = GradientOptions {
-                method,
-                ..settings(6)
-            };
-            agree_by(method.name(), &prepared, &tangent, &settings);
-        }
-    }
-}
-
 /// Two cubes that pass through each other.
 #[test]
 fn crossing_surfaces() {
@@ -171,38 +145,6 @@ fn constant_light() {
         radiance,
     });
     agree_in_both_modes("constant light", scene, 4);
-}
-
-/// Fields on triangles, with surfaces that cross, directions that meet nothing, and
-/// pixels that end abruptly.
-#[test]
-fn fields_on_triangles() {
-    let mut scene = visible_cube();
-    let (mesh, normals) = cube(Affine::scale(v(0.8, 0.2, 0.7)));
-    add(&mut scene, "blade", mesh, normals, 0.4);
-    let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::new(0.5, 0.7, 1.0)));
-    scene.emitters.push(Emitter::Constant {
-        id: "sky".into(),
-        radiance,
-    });
-    small(&mut scene, 4);
-    let tangent = everything(&scene, 11);
-    for (method, steps) in [
-        (Method::TriangleWalk, 1),
-        (Method::TriangleWalk, 2),
-        (Method::ExplicitWalk, 1),
-    ] {
-        let mut options = settings(32);
-        options.method = method;
-        options.walk.steps = steps;
-        let name = format!("{}, M = {steps}", method.name());
-        agree_by(
-            &name,
-            &PreparedScene::new(scene.clone()),
-            &tangent,
-            &options,
-        );
-    }
 }
 
 /// Materials of microfacets, blended and coated; glass where there was none.

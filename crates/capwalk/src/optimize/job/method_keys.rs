@@ -4,11 +4,7 @@ use capwalk_diff::{AllowMissing, Method, WalkSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
 
-#[cfg(feature = "paper")]
-use super::table::positive;
 use super::table::{integer, number, truth};
-#[cfg(feature = "paper")]
-use crate::method::WasChoice;
 use crate::method::{Choice, MethodChoice, MethodName, MissingName, WalkChoice};
 
 /// What `[method]` says.
@@ -48,13 +44,8 @@ pub fn read(root: &Table) -> Result<MethodKeys, LoadError> {
     match method {
         MethodName::Auto => {}
         MethodName::Walk | MethodName::Edges => {
-            if method.has("domain") {
-                chosen.walk.domain = choice(&table, "domain")?;
-            }
-            chosen.walk = walk(&table, chosen.walk)?;
+            chosen.walk = walk(&table)?;
         }
-        #[cfg(feature = "paper")]
-        MethodName::Was | MethodName::PsdrWas => chosen.was = was(&table)?,
     }
     table.finish()?;
     let (method, walk) = chosen
@@ -68,25 +59,13 @@ pub fn read(root: &Table) -> Result<MethodKeys, LoadError> {
 }
 
 /// The walk of a method that walks, if not everywhere.
-fn walk(table: &Table, known: WalkChoice) -> Result<WalkChoice, LoadError> {
+fn walk(table: &Table) -> Result<WalkChoice, LoadError> {
     let expected = "an angle above 0 and up to 180 degrees";
     Ok(WalkChoice {
         steps: integer(table, "steps", 1..=64)?.map(|steps| steps as u32),
         estimator: choice(table, "estimator")?,
         max_angle: number(table, "max_angle", expected, |x| x > 0.0 && x <= 180.0)?,
         antithetic: truth(table, "antithetic")?,
-        ..known
-    })
-}
-
-#[cfg(feature = "paper")]
-fn was(table: &Table) -> Result<WasChoice, LoadError> {
-    Ok(WasChoice {
-        kappa: positive(table, "kappa")?,
-        rays: integer(table, "rays", 1..=65536)?.map(|rays| rays as u32),
-        boundary: choice(table, "boundary")?,
-        antithetic: truth(table, "antithetic")?,
-        debias: truth(table, "debias")?,
     })
 }
 

@@ -5,17 +5,6 @@ use std::collections::HashMap;
 use super::SMALL;
 use crate::{Capwalk, assert_has};
 
-/// Methods that are there with the feature `paper`.
-const OF_THE_PAPER: [&str; 7] = [
-    "domain = \"triangle\"",
-    "domain = \"explicit\"",
-    "domain = \"explicit\"\nsteps = 2\nestimator = \"literal\"",
-    "type = \"was\"",
-    "type = \"was\"\nboundary = \"normals\"",
-    "type = \"psdr-was\"",
-    "type = \"psdr-was\"\nrays = 4\nantithetic = false",
-];
-
 /// Each takes steps of its own, and says of itself what it says elsewhere.
 #[test]
 fn every_method_runs() {
@@ -28,23 +17,15 @@ fn every_method_runs() {
         assert_eq!(finished.status, 0, "{method}: {}", finished.stderr);
         (capwalk.bytes("out/record.csv"), finished.stderr)
     };
-    let mut methods = vec![
+    let methods = [
         "type = \"walk\"",
         "max_angle = 2\nantithetic = true",
+        "steps = 2\nestimator = \"literal\"",
         "type = \"edges\"",
     ];
-    if cfg!(feature = "paper") {
-        methods.extend(OF_THE_PAPER);
-    }
     let mut records = HashMap::new();
     for method in methods {
         let (record, stderr) = run(&format!("[method]\n{method}"));
-        let is_baseline = method.contains("was");
-        assert_eq!(
-            stderr.matches("is a baseline and biased").count(),
-            usize::from(is_baseline),
-            "{stderr}"
-        );
         assert_eq!(
             stderr.matches("infinite variance").count(),
             usize::from(method.contains("literal")),
@@ -60,7 +41,6 @@ fn every_method_runs() {
         ("", "type = \"edges\""),
         ("[method]\ntype = \"auto\"", "type = \"edges\""),
         ("[method]\nsteps = 1", walk),
-        ("[method]\ntype = \"walk\"\ndomain = \"sphere\"", walk),
         // Direct light through no mirror: it walks nowhere.
         (
             "[method]\ntype = \"edges\"\nmax_angle = 5",
@@ -94,43 +74,26 @@ fn keys_of_other_methods_are_errors() {
         &["job.toml:31:8", "`type` is \"fd\"", methods],
     );
     bad(
-        "domain = \"cube\"",
-        &["job.toml:31:10", "one of \"sphere\""],
-    );
-    bad(
-        "type = \"edges\"\ndomain = \"sphere\"",
+        "type = \"edges\"\ncutoff = 10",
         &[
             "job.toml:32:1",
-            "unknown key `domain` in [method] of type \"edges\"",
+            "unknown key `cutoff` in [method] of type \"edges\"",
             "one of: allow_missing, antithetic, estimator, max_angle, steps, type",
         ],
     );
     bad(
-        "kappa = 10",
-        &["unknown key `kappa` in [method] of type \"auto\""],
+        "type = \"auto\"\nsteps = 2",
+        &["unknown key `steps` in [method] of type \"auto\""],
     );
     bad(
-        "steps = 2\nkappa = 10",
-        &[
-            "unknown key `kappa` in [method] of type \"walk\"",
-            "one of: allow_missing, antithetic, domain, estimator, max_angle, steps, type",
-        ],
+        "cutoff = 10",
+        &["unknown key `cutoff` in [method] of type \"auto\""],
     );
-}
-
-#[cfg(feature = "paper")]
-#[test]
-fn baselines_have_keys_of_their_own() {
-    let capwalk = Capwalk::new("optimize_baseline_keys");
-    let bad = |method: &str, parts: &[&str]| assert_bad(&capwalk, method, parts);
-    bad("type = \"wall\"", &["\"was\", \"psdr-was\"\n"]);
-    bad("domain = \"cube\"", &["\"triangle\", \"explicit\""]);
     bad(
-        "type = \"psdr-was\"\nsteps = 2",
+        "steps = 2\ncutoff = 10",
         &[
-            "unknown key `steps` in [method] of type \"psdr-was\"",
-            "one of: allow_missing, antithetic, boundary, debias, kappa, rays, type",
+            "unknown key `cutoff` in [method] of type \"walk\"",
+            "one of: allow_missing, antithetic, estimator, max_angle, steps, type",
         ],
     );
-    bad("type = \"psdr-was\"\nrays = 0", &["from 1 to 65536"]);
 }

@@ -5,11 +5,13 @@ use capwalk_diff::{
 };
 use capwalk_math::Rgb;
 use capwalk_scene::bsdf::Metal;
+use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
 
+use super::stages::{shadow_stage, unit_square};
 use super::{add_floor, add_lamp, empty, v};
 /// Replaces a material.
-pub fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
+fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
     let found = scene.materials.iter_mut().find(|m| m.id == name);
     found.expect("a material").bsdf = bsdf;
 }
@@ -37,6 +39,25 @@ pub fn mirror_floor() -> Scene {
         bsdf_samples: 1,
         hide_emitters: false,
     };
+    scene
+}
+
+/// A floor on which a texture jumps between so many squares, a lamp above it, and few pixels.
+pub fn checkered_floor(squares: f64) -> Scene {
+    let mut scene = shadow_stage();
+    (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+    unit_square(&mut scene, "floor");
+    let id = scene.add_texture(Texture {
+        id: "squares".into(),
+        channels: 1,
+        data: vec![0.2, 0.7],
+        pattern: Pattern::Checkerboard {
+            to_uv: UvTransform {
+                rows: [[squares, 0.0, 0.0], [0.0, squares, 0.0]],
+            },
+        },
+    });
+    material(&mut scene, "floor.bsdf", Bsdf::Diffuse { reflectance: id });
     scene
 }
 

@@ -1,9 +1,9 @@
 //! Settings of the baselines.
 
-use serde::{Deserialize, Serialize};
+use capwalk_boundary::Refusal;
 
 /// How warped-area sampling makes its field.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WasSettings {
     /// `κ`, concentration of the auxiliary rays: they are about `1/√κ` radians
     /// away, and so is the field's reach.
@@ -31,8 +31,25 @@ impl Default for WasSettings {
     }
 }
 
+impl WasSettings {
+    /// A refusal without auxiliary rays, or if their concentration is not a positive number.
+    pub(super) fn check(&self) -> Result<(), Refusal> {
+        let Self { rays, kappa, .. } = *self;
+        match rays > 0 && kappa > 0.0 && kappa.is_finite() {
+            true => Ok(()),
+            false => Err(Refusal::Custom {
+                reason: format!(
+                    "warped-area sampling with {rays} auxiliary rays of concentration {kappa}; \
+                     expected at least one ray and a finite concentration above 0"
+                ),
+                instead: None,
+            }),
+        }
+    }
+}
+
 /// Boundary tests of warped-area sampling.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WasBoundary {
     /// Normals across the view: for smooth surfaces. Flat faces end without it,
     /// and their silhouettes are missed.

@@ -14,6 +14,7 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::Rgb;
+use capwalk_paper::fields::{AMONG_EXPLICIT_BOUNDARIES, ON_TRIANGLES};
 use capwalk_scene::*;
 
 /// A floor below a lamp of one large triangle, before which silhouettes pass.
@@ -32,7 +33,7 @@ fn under_a_triangle(thing: Mesh) -> Scene {
 }
 
 fn on_triangles(name: &str, scene: Scene, expression: &str, case: Case) {
-    with_method(Method::TriangleWalk, name, scene, expression, case);
+    with_method(ON_TRIANGLES, name, scene, expression, case);
 }
 
 fn with_method(method: Method, name: &str, scene: Scene, expression: &str, case: Case) {
@@ -128,7 +129,7 @@ fn indirect_light_of_an_environment() {
 fn walks_among_explicit_boundaries() {
     let (scene, case) = (under_a_triangle(triangle()), few_pixels());
     with_method(
-        Method::ExplicitWalk,
+        AMONG_EXPLICIT_BOUNDARIES,
         "explicit",
         scene,
         "thing.translate.x",
@@ -145,7 +146,7 @@ fn explicit_and_practical_walks_agree() {
     scene.film.crop_size = [10; 2];
     let tangent = tangent(&scene, "thing.rotate.z + 0.3*sensor.translate.x");
     let [practical, explicit] =
-        [(Method::TriangleWalk, 1), (Method::ExplicitWalk, 2)].map(|(method, seed)| {
+        [(ON_TRIANGLES, 1), (AMONG_EXPLICIT_BOUNDARIES, 2)].map(|(method, seed)| {
             let options = RenderOptions::new(1500, seed);
             let options = GradientOptions {
                 method,

@@ -6,10 +6,11 @@ use crate::common::stages::*;
 use crate::common::*;
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
-    Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WasBoundary,
-    WasSettings, finite_difference, gradient,
+    Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, finite_difference,
+    gradient,
 };
 use capwalk_math::{Affine, Vec3};
+use capwalk_paper::fields::{WasBoundary, WasSettings, psdr_was, was};
 use capwalk_scene::primitive::sphere;
 use capwalk_scene::*;
 
@@ -24,10 +25,10 @@ fn options(spp: u32, seed: u64) -> RenderOptions {
 fn relative_growth(
     scene: &Scene,
     exact: f64,
-    was: WasSettings,
+    settings: WasSettings,
     spp: u32,
 ) -> (Estimate, (f64, f64)) {
-    relative_change(scene, "thing.scale", exact, Method::Was(was), spp)
+    relative_change(scene, "thing.scale", exact, was(settings), spp)
 }
 
 /// The derivative of the image, and that of the area divided by what it is, with
@@ -66,12 +67,12 @@ fn relative_change(
 fn more_rays_less_bias() {
     let scene = card();
     let bias = |rays: u32, antithetic: bool, spp: u32| {
-        let was = WasSettings {
+        let settings = WasSettings {
             rays,
             antithetic,
             ..WasSettings::default()
         };
-        let (_, (growth, error)) = relative_growth(&scene, 32.0, was, spp);
+        let (_, (growth, error)) = relative_growth(&scene, 32.0, settings, spp);
         (growth - 1.0, error)
     };
     let [few, more, many] = [(8, 2000), (32, 2000), (128, 600)].map(|(n, spp)| bias(n, false, spp));
@@ -90,13 +91,13 @@ fn more_rays_less_bias() {
 
 /// What finite differences say pixel by pixel, and how many standard errors the
 /// change of the area is from what it is.
-fn verdict(what: &str, exact: f64, was: WasSettings, spp: u32) -> (Verdict, f64) {
+fn verdict(what: &str, exact: f64, settings: WasSettings, spp: u32) -> (Verdict, f64) {
     let scene = card();
     let change = tangent(&scene, what);
     let prepared = PreparedScene::new(scene.clone());
     let reference = finite_difference(&prepared, &change, 0.01, &options(60_000, 2), &Unwatched);
     let reference = reference.expect("covered").gradient;
-    let (ours, (size, error)) = relative_change(&scene, what, exact, Method::Was(was), spp);
+    let (ours, (size, error)) = relative_change(&scene, what, exact, was(settings), spp);
     let result = compare(&ours, &reference);
     let (z, factor) = (result.mean_z_squared, result.scale_factor);
     println!(
@@ -131,7 +132,7 @@ fn roulette_removes_the_bias() {
 /// that goes sideways sees them go the other way.
 #[test]
 fn eyes_move() {
-    let was = WasSettings {
+    let settings = WasSettings {
         rays: 64,
         ..WasSettings::default()
     };
@@ -139,7 +140,7 @@ fn eyes_move() {
     let (found, z) = verdict(
         "sensor.translate.z + 0.3*sensor.translate.x",
         nearer,
-        was,
+        settings,
         1200,
     );
     assert!(found == Verdict::Right && z.abs() < Z, "{found:?}, {z}");
@@ -181,12 +182,12 @@ fn shadows_and_lamps() {
         (sum, squares.sqrt())
     };
     let (exact, exact_error) = size(&reference);
-    let was = WasSettings {
+    let settings = WasSettings {
         kappa: 1e4,
         rays: 16,
         ..WasSettings::default()
     };
-    let (ours, error) = size(&by(Method::Was(was), 1500, 1));
+    let (ours, error) = size(&by(was(settings), 1500, 1));
     let (ratio, error) = (ours / exact, error.hypot(exact_error) / exact);
     println!("of differences: {ratio:.3} ± {error:.3}");
     assert!((ratio - 1.0).abs() < Z * error && error < 0.06);
@@ -196,17 +197,17 @@ fn shadows_and_lamps() {
 /// many rays there are.
 #[test]
 fn normals_are_for_smooth_surfaces() {
-    let was = WasSettings {
+    let settings = WasSettings {
         rays: 128,
         boundary: WasBoundary::Normals,
         ..WasSettings::default()
     };
-    let (_, (growth, error)) = relative_growth(&card(), 32.0, was, 600);
+    let (_, (growth, error)) = relative_growth(&card(), 32.0, settings, 600);
     assert!(1.0 - growth > 0.4 && error < 0.03);
     // The disk of a ball: of area 16, too, far away.
     let radius = half_width() * (16.0 / std::f64::consts::PI).sqrt() / 4.0;
     let (mesh, normals) = sphere(Affine::IDENTITY, Vec3::zero(), radius);
-    let (_, (growth, error)) = relative_growth(&mask(mesh, normals), 32.0, was, 600);
+    let (_, (growth, error)) = relative_growth(&mask(mesh, normals), 32.0, settings, 600);
     assert!((growth - 1.0).abs() < Z * error + 0.02 && error < 0.03);
 }
 
@@ -234,13 +235,13 @@ fn card_before_a_wall() -> Scene {
 fn more_rays_less_bias_in_path_space() {
     let scene = card_before_a_wall();
     let bias = |rays: u32, debias: bool, spp: u32| {
-        let was = WasSettings {
+        let settings = WasSettings {
             rays,
             debias,
             antithetic: false,
             ..WasSettings::default()
         };
-        let method = Method::PsdrWas(was);
+        let method = psdr_was(settings);
         let (_, (growth, error)) = relative_change(&scene, "thing.scale", -32.0, method, spp);
         (growth - 1.0, error)
     };
@@ -252,7 +253,7 @@ fn more_rays_less_bias_in_path_space() {
     let debiased = bias(8, true, 4000);
     assert!(debiased.0.abs() < 3.0 * debiased.1 && debiased.1 < 0.1);
 
-    let own = Method::PsdrWas(WasSettings::default());
+    let own = psdr_was(WasSettings::default());
     let (_, (growth, error)) = relative_change(&card(), "thing.scale", 32.0, own, 800);
     assert!((growth - 1.0).abs() < Z * error && error < 0.02);
 }

@@ -1,5 +1,5 @@
 //! Warped-area sampling beside the walk, as
-//! `cargo bench -p capwalk-cli --features paper --bench baselines` prints it for some folders of
+//! `cargo bench -p capwalk-paper --bench baselines` prints it for some folders of
 //! `tests/scenes`, or for those named behind `--`, with their first parameter:
 //! how large the derivative is relative to central differences, which shows bias,
 //! and variance times time of a sample relative to the walk.
@@ -9,14 +9,16 @@
 //! pixels.
 
 #[allow(dead_code, reason = "a bench has no refusals")]
-#[path = "../tests/phenomena/folder.rs"]
+#[path = "../../../crates/cli/tests/phenomena/folder.rs"]
 mod folder;
+#[path = "../../../crates/cli/benches/measure/mod.rs"]
 mod measure;
 
 use capwalk_diff::{
-    GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, WasSettings,
+    GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched,
     finite_difference, gradient,
 };
+use capwalk_paper::fields::{WasSettings, was};
 use capwalk_scene::params;
 use folder::{Demand, Folder};
 use measure::{Clock, digits, variance};
@@ -56,18 +58,18 @@ fn measure_all() {
 
 /// The methods that are compared with the walk.
 fn baselines() -> Vec<(&'static str, WasSettings)> {
-    let was = WasSettings::default();
-    let with = |rays| WasSettings { rays, ..was };
+    let default = WasSettings::default();
+    let with = |rays| WasSettings { rays, ..default };
     let single = WasSettings {
         antithetic: false,
-        ..was
+        ..default
     };
     let debias = WasSettings {
         debias: true,
-        ..was
+        ..default
     };
     vec![
-        ("was, 8 rays", was),
+        ("was, 8 rays", default),
         ("was, 32 rays", with(32)),
         ("was, 8 rays, no pairs", single),
         ("was, 8 rays, debiased", debias),
@@ -121,8 +123,8 @@ fn measure(folder: &Folder) {
         );
     };
     row("walk", &walk, 1.0);
-    for (name, was) in baselines() {
-        let (image, own) = run(Method::Was(was), 2);
+    for (name, settings) in baselines() {
+        let (image, own) = run(was(settings), 2);
         row(name, &image, own / cost);
     }
 }

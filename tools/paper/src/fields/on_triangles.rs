@@ -12,17 +12,64 @@
 
 use std::cell::Cell;
 
+use capwalk_boundary::{
+    Accel, Boundaries, CustomField, Field, Flow, Method, Numbers, SEEN, Viewpoint, Visibility,
+};
 use capwalk_geometry::{EdgeSelection, SilhouettePoint};
-use capwalk_math::{Real, Vec3};
-use capwalk_walk::{Sphere, Triangle, TriangleBoundary, WalkSettings, sample_field};
+use capwalk_math::Vec3;
+use capwalk_walk::{Sphere, WalkSettings, sample_field};
 
-use super::receiver::{PlaneVelocity, Receiver};
-use crate::boundary_sample::Seen;
-use crate::draw::Numbers;
-use crate::field::Field;
-use crate::flow::Flow;
-use crate::mirror::Mirrors;
-use crate::viewpoint::{SEEN, Viewpoint, Visibility};
+use super::receiver::{IN_PLANE, PlaneVelocity, Receiver};
+use crate::walk::triangle::{Triangle, TriangleBoundary};
+
+/// The walk of the renderer on the triangle that each direction hits, where the field is relative to
+/// the material: the paper to the letter. Borders of triangles limit its walks, in the place of
+/// `max_radius`, which is left for directions that hit nothing. Unbiased; reflected boundaries are
+/// not covered.
+pub const ON_TRIANGLES: Method = Method::Custom(&OnTriangles);
+
+#[derive(Debug)]
+struct OnTriangles;
+
+impl CustomField for OnTriangles {
+    fn name(&self) -> &'static str {
+        "walk on triangles"
+    }
+
+    fn is_unbiased(&self) -> bool {
+        true
+    }
+
+    fn walks(&self) -> bool {
+        true
+    }
+
+    /// Algorithm 7; `None` if the direction meets nothing.
+    fn flow(
+        &self,
+        accel: &Accel,
+        boundaries: &Boundaries,
+        viewpoint: &Viewpoint<f64>,
+        q: Vec3,
+        walk: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Flow> {
+        let receiver = Receiver::met(accel, viewpoint, q)?;
+        let field = Field::new(accel, boundaries, ON_TRIANGLES);
+        let triangle = triangle(&field, viewpoint, &receiver);
+        let sample = sample_field(&triangle, q, &unlimited(walk), |i| random.number(i));
+        random.draw.count_queries(triangle.sphere.queries.get());
+        let mut flow = receiver.material();
+        for term in sample.terms() {
+            if let TriangleBoundary::Silhouette(point) = &term.site {
+                let velocity = projected(&field, viewpoint, &receiver, point);
+                let divergence = receiver.divergence(term.gradient);
+                receiver.add(&mut flow, &velocity, term.weight, divergence);
+            }
+        }
+        Some(flow)
+    }
+}
 
 /// The triangle's border limits every cone; nothing else does.
 fn unlimited(walk: &WalkSettings) -> WalkSettings {
@@ -32,103 +79,53 @@ fn unlimited(walk: &WalkSettings) -> WalkSettings {
     }
 }
 
-/// Silhouettes lie before a triangle's plane if they are not farther behind than
-/// this fraction of the triangle's distance: where surfaces pass through it they
-/// lie in it.
-pub(super) const IN_PLANE: f64 = 1e-6;
+/// The velocity of a silhouette's projection on the receiver.
+pub(super) fn projected(
+    field: &Field,
+    viewpoint: &Viewpoint<f64>,
+    receiver: &Receiver,
+    point: &SilhouettePoint,
+) -> PlaneVelocity {
+    let sample = field.direct_boundary_sample(viewpoint, point);
+    let angular = |velocity| sample.angular(velocity);
+    receiver.boundary(sample.points, sample.t, angular, point.direction)
+}
 
-impl Field<'_> {
-    /// The triangle that a direction meets.
-    pub(super) fn receiver<R: Real>(&self, viewpoint: &Viewpoint<R>, q: Vec3) -> Option<Receiver> {
-        let position = viewpoint.position.value();
-        let ray = match viewpoint.visibility {
-            Visibility::Camera => self.accel.camera_ray(position, q),
-            Visibility::Surface | Visibility::All => self.accel.surface_ray(position, q),
-        };
-        let hit = self.accel.first_hit_within(&ray)?;
-        Some(Receiver::new(&self.accel.mesh, &hit, position, q))
-    }
-
-    /// The velocity of a silhouette's projection on the receiver.
-    pub(super) fn projected<R: Real>(
-        &self,
-        viewpoint: &Viewpoint<R>,
-        receiver: &Receiver,
-        point: &SilhouettePoint,
-    ) -> PlaneVelocity {
-        let seen = Seen {
-            point: *point,
-            mirrors: Mirrors::default(),
-            is_direct: true,
-        };
-        receiver.boundary(&self.boundary_sample(viewpoint, &seen), point.direction)
-    }
-
-    /// The directions in which the receiver is seen, and what bounds them.
-    fn triangle<R: Real>(
-        &self,
-        viewpoint: &Viewpoint<R>,
-        receiver: &Receiver,
-    ) -> Triangle<'_, impl Fn(&SilhouettePoint) -> bool> {
-        let position = receiver.viewpoint;
-        let is_camera = viewpoint.visibility == Visibility::Camera;
-        // Nothing hides what bounds the visible part of a triangle, but the camera
-        // sees no edge before its near plane. One that passes it counts as a whole:
-        // if its closest point decided, the field would jump where that passes.
-        let view = self.accel.view.from(position);
-        let [near, far] = view.clip();
-        let is_seen = move |site: &SilhouettePoint| {
-            let [a, b] = self.boundaries.ends(site.edge).map(|p| view.depth(p));
-            a.max(b) > near && a.min(b) < far
-        };
-        Triangle {
-            sphere: Sphere {
-                tree: self.boundaries.tree(),
-                origin: position,
-                edges: EdgeSelection::Silhouettes,
-                groups: SEEN,
-                in_front_of: Some(receiver.plane(IN_PLANE * receiver.distance)),
-                counts: is_camera.then_some(is_seen),
-                queries: Cell::new(0),
-            },
-            corners: receiver.offsets(),
-        }
-    }
-
-    /// A sample of the direction's motion and its divergence with the field on the
-    /// triangle that it meets, Algorithm 7; `None` if it meets nothing.
-    pub(crate) fn triangle_flow<R: Real>(
-        &self,
-        viewpoint: &Viewpoint<R>,
-        q: Vec3,
-        walk: &WalkSettings,
-        random: Numbers,
-    ) -> Option<Flow> {
-        let receiver = self.receiver(viewpoint, q)?;
-        let triangle = self.triangle(viewpoint, &receiver);
-        let sample = sample_field(&triangle, q, &unlimited(walk), |i| random.number(i));
-        random.draw.count_queries(triangle.sphere.queries.get());
-        let mut flow = receiver.material();
-        for term in sample.terms() {
-            if let TriangleBoundary::Silhouette(point) = &term.site {
-                let velocity = self.projected(viewpoint, &receiver, point);
-                let divergence = receiver.divergence(term.gradient);
-                receiver.add(&mut flow, &velocity, term.weight, divergence);
-            }
-        }
-        Some(flow)
+/// The directions in which the receiver is seen, and what bounds them.
+fn triangle<'a>(
+    field: &Field<'a>,
+    viewpoint: &Viewpoint<f64>,
+    receiver: &Receiver,
+) -> Triangle<'a, impl Fn(&SilhouettePoint) -> bool> {
+    let (accel, boundaries, position) = (field.accel, field.boundaries, receiver.viewpoint);
+    let is_camera = viewpoint.visibility == Visibility::Camera;
+    // Nothing hides what bounds the visible part of a triangle, but the camera
+    // sees no edge before its near plane. One that passes it counts as a whole:
+    // if its closest point decided, the field would jump where that passes.
+    let view = accel.view.from(position);
+    let [near, far] = view.clip();
+    let is_seen = move |site: &SilhouettePoint| {
+        let [a, b] = boundaries.ends(site.edge).map(|p| view.depth(p));
+        a.max(b) > near && a.min(b) < far
+    };
+    Triangle {
+        sphere: Sphere {
+            tree: boundaries.tree(),
+            origin: position,
+            edges: EdgeSelection::Silhouettes,
+            groups: SEEN,
+            in_front_of: Some(receiver.plane(IN_PLANE * receiver.distance)),
+            counts: is_camera.then_some(is_seen),
+            queries: Cell::new(0),
+        },
+        corners: receiver.offsets(),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::Accel;
-    use crate::boundaries::Boundaries;
-    use crate::draw::{Counts, Draw};
-    use crate::flow::FlowSource;
-    use crate::method::Method;
-    use crate::random::Sampler;
+    use capwalk_boundary::{Counts, Draw, FlowSource, Sampler};
     use capwalk_math::Moments;
     use capwalk_scene::builtin;
     use capwalk_walk::{Domain, Estimator};
@@ -159,7 +156,7 @@ mod tests {
         scene.sensor.near_clip = 0.6;
         let accel = Accel::new(scene.clone());
         let boundaries = Boundaries::new(&accel);
-        let field = Field::new(&accel, &boundaries, Method::TriangleWalk);
+        let field = Field::new(&accel, &boundaries, ON_TRIANGLES);
         let viewpoint: Viewpoint<f64> = Viewpoint::camera(&accel.view, 0);
         let mut meets = 0;
         for row in 0..16 {
@@ -168,10 +165,10 @@ mod tests {
                 let [x, y] = [f64::from(step) / f64::from(steps), f64::from(row) / 16.0];
                 accel.view.direction([width * x, height * y])
             };
-            let Some(receiver) = field.receiver(&viewpoint, at(steps / 2)) else {
+            let Some(receiver) = Receiver::met(&accel, &viewpoint, at(steps / 2)) else {
                 continue;
             };
-            let triangle = field.triangle(&viewpoint, &receiver);
+            let triangle = triangle(&field, &viewpoint, &receiver);
             let nearest = |step: u32| triangle.closest(at(step), std::f64::consts::PI);
             for step in 0..steps {
                 let (Some(a), Some(b)) = (nearest(step), nearest(step + 1)) else {
@@ -193,7 +190,6 @@ mod tests {
         let scene = builtin::scene("ball").expect("built in");
         let accel = Accel::new(scene.clone());
         let boundaries = Boundaries::new(&accel);
-        let field = Field::new(&accel, &boundaries, Method::TriangleWalk);
         let viewpoint: Viewpoint<f64> = Viewpoint::camera(&accel.view, 0);
         let sampler = Sampler::new(&scene.settings, 3, 1);
         let [width, height] = scene.film.size.map(f64::from);
@@ -212,8 +208,8 @@ mod tests {
                     counts: &counts,
                 };
                 let random = Numbers { draw, dimension: 0 };
-                let flow = field
-                    .triangle_flow(&viewpoint, q, &walk, random)
+                let flow = OnTriangles
+                    .flow(&accel, &boundaries, &viewpoint, q, &walk, random)
                     .expect("a surface");
                 let (u, divergence) = flow.evaluate(velocity);
                 moments[0].add(u.dot(Vec3::new(0.3, -0.5, 0.8)));
@@ -226,7 +222,7 @@ mod tests {
             // A lattice that fills the film evenly.
             let at = [0.754_877_666, 0.569_840_291].map(|a| (f64::from(i) * a).fract());
             let q = accel.view.direction([width * at[0], height * at[1]]);
-            if field.receiver(&viewpoint, q).is_none() {
+            if Receiver::met(&accel, &viewpoint, q).is_none() {
                 continue;
             }
             let steps = 1 + i as u32 % 2;

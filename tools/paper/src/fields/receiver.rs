@@ -16,11 +16,14 @@
 //! All of this is linear in the velocities of the triangle's corners, of the
 //! boundary points that `v` is made of, and of the viewpoint: a [`Flow`].
 
+use capwalk_boundary::{Accel, Flow, FlowSource, Viewpoint, Visibility};
 use capwalk_geometry::{HalfSpace, Hit, Mesh};
 use capwalk_math::{Frame, Vec3};
 
-use crate::boundary_sample::BoundarySample;
-use crate::flow::{Flow, FlowSource};
+/// Silhouettes lie before a triangle's plane if they are not farther behind than
+/// this fraction of the triangle's distance: where surfaces pass through it they
+/// lie in it.
+pub const IN_PLANE: f64 = 1e-6;
 
 /// A triangle and the direction that meets it from a viewpoint.
 pub struct Receiver {
@@ -44,6 +47,17 @@ pub struct Receiver {
 pub type PlaneVelocity = Vec<(FlowSource, [Vec3; 3])>;
 
 impl Receiver {
+    /// The triangle that a direction meets.
+    pub fn met(accel: &Accel, viewpoint: &Viewpoint<f64>, q: Vec3) -> Option<Self> {
+        let position = viewpoint.position;
+        let ray = match viewpoint.visibility {
+            Visibility::Camera => accel.camera_ray(position, q),
+            Visibility::Surface | Visibility::All => accel.surface_ray(position, q),
+        };
+        let hit = accel.first_hit_within(&ray)?;
+        Some(Self::new(&accel.mesh, &hit, position, q))
+    }
+
     /// What a ray from the viewpoint hits.
     pub fn new(mesh: &Mesh, hit: &Hit, viewpoint: Vec3, direction: Vec3) -> Self {
         Self {
@@ -102,12 +116,17 @@ impl Receiver {
     }
 
     /// The velocity `v^∂`, relative to the material, of the projection of a boundary
-    /// point through the viewpoint on the triangle's plane, Eqs. (6) and (28). `seen` is
-    /// the unit direction of the point.
-    pub fn boundary(&self, site: &BoundarySample, seen: Vec3) -> PlaneVelocity {
-        let [a, b] = site.points;
-        let parts = [(a, 1.0 - site.t), (b, site.t)];
-        self.projected(&parts, |velocity| site.angular(velocity), seen)
+    /// point through the viewpoint on the triangle's plane, Eqs. (6) and (28): of the point at
+    /// `t` between two others, which turns with a velocity relative to the viewpoint as
+    /// `angular` says. `seen` is its unit direction.
+    pub fn boundary(
+        &self,
+        [a, b]: [u32; 2],
+        t: f64,
+        angular: impl Fn(Vec3) -> Vec3,
+        seen: Vec3,
+    ) -> PlaneVelocity {
+        self.projected(&[(a, 1.0 - t), (b, t)], angular, seen)
     }
 
     /// The same of any point seen in a direction: a sum of others with weights, and
@@ -199,7 +218,6 @@ fn columns(map: impl Fn(Vec3) -> Vec3) -> [Vec3; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mirror::Mirrors;
 
     fn v(x: f64, y: f64, z: f64) -> Vec3 {
         Vec3::new(x, y, z)
@@ -329,17 +347,8 @@ mod tests {
         let offset = point - example.viewpoint;
         let seen = offset.normalized();
         let receiver = example.receiver(seen);
-        let site = BoundarySample {
-            points: [3, 4],
-            t,
-            direction: seen,
-            is_horizon: false,
-            damped: Vec3::zero(),
-            distance: offset.length(),
-            place: None,
-            mirrors: Mirrors::default(),
-        };
-        let found = receiver.boundary(&site, seen);
+        let angular = |v: Vec3| v.reject_from(seen) / offset.length();
+        let found = receiver.boundary([3, 4], t, angular, seen);
         let found = found.iter().fold(Vec3::zero(), |sum, (source, [x, y, z])| {
             let v = match *source {
                 FlowSource::Point(i) if i >= 3 => end_velocities[i as usize - 3],

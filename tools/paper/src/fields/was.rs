@@ -18,16 +18,56 @@
 
 use std::f64::consts::PI;
 
+use capwalk_boundary::{
+    Accel, Boundaries, CustomField, Flow, FlowSource, Method, Numbers, Refusal, Stream, Viewpoint,
+    Visibility,
+};
 use capwalk_geometry::Hit;
-use capwalk_math::{Frame, Real, Vec3};
+use capwalk_math::{Frame, Vec3};
+use capwalk_walk::WalkSettings;
 
-use super::settings::{WasBoundary, WasSettings};
-use crate::accel::Accel;
-use crate::random::Stream;
-
+use super::was_settings::{WasBoundary, WasSettings};
 use super::weighted_mean::{self, Share, edge_test, ray_numbers, relative_density};
-use crate::flow::{Flow, FlowSource};
-use crate::viewpoint::{Viewpoint, Visibility};
+
+/// Warped-area sampling. Biased, less with more auxiliary rays; what is seen in mirrors is not
+/// covered.
+pub fn was(settings: WasSettings) -> Method {
+    // Methods live as long as the program, which makes few of them.
+    Method::Custom(Box::leak(Box::new(Was(settings))))
+}
+
+#[derive(Debug)]
+struct Was(WasSettings);
+
+impl CustomField for Was {
+    fn name(&self) -> &'static str {
+        "was"
+    }
+
+    fn is_unbiased(&self) -> bool {
+        false
+    }
+
+    fn walks(&self) -> bool {
+        false
+    }
+
+    fn check(&self, _: &Boundaries, _: &WalkSettings) -> Result<(), Refusal> {
+        self.0.check()
+    }
+
+    fn flow(
+        &self,
+        accel: &Accel,
+        _: &Boundaries,
+        viewpoint: &Viewpoint<f64>,
+        q: Vec3,
+        _: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Flow> {
+        Some(flow(accel, viewpoint, q, &self.0, &random.branch()))
+    }
+}
 
 /// An auxiliary ray.
 struct Auxiliary {
@@ -43,9 +83,9 @@ struct Auxiliary {
 
 /// The velocity of the direction `q` and the divergence there, as a map from the
 /// velocities of the vertices around what auxiliary rays hit, Eq. (7).
-pub fn flow<R: Real>(
+pub(super) fn flow(
     accel: &Accel,
-    viewpoint: &Viewpoint<R>,
+    viewpoint: &Viewpoint<f64>,
     q: Vec3,
     settings: &WasSettings,
     numbers: &Stream,
@@ -63,9 +103,9 @@ fn curvature(q: Vec3) -> Vec3 {
 }
 
 /// Draws as many auxiliary rays as the settings say, the `index`-th batch.
-fn batch<R: Real>(
+fn batch(
     accel: &Accel,
-    viewpoint: &Viewpoint<R>,
+    viewpoint: &Viewpoint<f64>,
     q: Vec3,
     settings: &WasSettings,
     numbers: &Stream,
@@ -107,12 +147,8 @@ fn sample_direction(kappa: f64, u: [f64; 2]) -> (Vec3, f64) {
 }
 
 /// What the viewpoint sees in a direction.
-pub(super) fn cast<R: Real>(
-    accel: &Accel,
-    viewpoint: &Viewpoint<R>,
-    direction: Vec3,
-) -> Option<Hit> {
-    let position = viewpoint.position.value();
+pub(super) fn cast(accel: &Accel, viewpoint: &Viewpoint<f64>, direction: Vec3) -> Option<Hit> {
+    let position = viewpoint.position;
     match viewpoint.visibility {
         Visibility::Camera => accel.first_hit_within(&accel.camera_ray(position, direction)),
         Visibility::All | Visibility::Surface => accel.first_hit(position, direction),

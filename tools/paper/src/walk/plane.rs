@@ -1,8 +1,7 @@
 //! The plane, bounded by curves; balls are disks.
 
 use capwalk_math::Vec2;
-
-use crate::domain::{Domain, Nearest};
+use capwalk_walk::{Domain, Nearest};
 
 /// A curve with boundary values on it.
 #[derive(Clone, Copy, Debug)]

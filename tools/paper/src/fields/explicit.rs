@@ -6,25 +6,109 @@
 //! triangle's plane, and projected through the viewpoint on the plane. The walk is on
 //! disks there, not on caps: another field, with the same boundary values.
 
+use capwalk_boundary::{
+    Accel, Boundaries, CustomField, Field, Flow, Method, Numbers, Refusal, Viewpoint, Visibility,
+};
 use capwalk_geometry::{Edge, SilhouettePoint};
-use capwalk_math::{Frame, Real, Vec2, Vec3};
-use capwalk_walk::plane::BoundaryCurve;
-use capwalk_walk::{Plane, WalkSettings, sample_field};
+use capwalk_math::{Frame, Vec2, Vec3};
+use capwalk_walk::{WalkSettings, sample_field};
 
-use super::receiver::Receiver;
-use super::triangle::IN_PLANE;
-use crate::draw::Numbers;
-use crate::field::Field;
-use crate::flow::Flow;
-use crate::viewpoint::{Viewpoint, Visibility};
+use super::on_triangles::projected;
+use super::receiver::{IN_PLANE, Receiver};
+use crate::walk::plane::{BoundaryCurve, Plane};
+
+/// The walk on disks in the plane of the triangle that each direction hits, among all silhouettes
+/// projected on it: unbiased, and so slow that scenes of many edges are refused.
+pub const AMONG_EXPLICIT_BOUNDARIES: Method = Method::Custom(&AmongExplicit);
 
 /// Scenes with more edges are refused: every direction looks at all of them
 /// several times.
-pub const MOST_EDGES: usize = 4000;
+const MOST_EDGES: usize = 4000;
 
 /// Silhouettes are cut off at this fraction of the viewpoint's height over the plane
 /// below the viewpoint: there, they are projected to where no triangle is.
 const BELOW_EYE: f64 = 1e-6;
+
+#[derive(Debug)]
+struct AmongExplicit;
+
+impl CustomField for AmongExplicit {
+    fn name(&self) -> &'static str {
+        "walk among explicit boundaries"
+    }
+
+    fn is_unbiased(&self) -> bool {
+        true
+    }
+
+    fn walks(&self) -> bool {
+        true
+    }
+
+    fn check(&self, boundaries: &Boundaries, _: &WalkSettings) -> Result<(), Refusal> {
+        let count = boundaries.edges().len();
+        match count > MOST_EDGES {
+            true => Err(Refusal::Custom {
+                reason: format!(
+                    "the scene has {count} edges, and walks among explicit boundaries test all of \
+                     them for every direction; expected at most {MOST_EDGES}"
+                ),
+                instead: Some(
+                    "Use fields on triangles or on the sphere, which find the closest ones in a \
+                     tree"
+                        .into(),
+                ),
+            }),
+            false => Ok(()),
+        }
+    }
+
+    /// Algorithm 3; `None` if the direction meets nothing.
+    fn flow(
+        &self,
+        accel: &Accel,
+        boundaries: &Boundaries,
+        viewpoint: &Viewpoint<f64>,
+        q: Vec3,
+        walk: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Flow> {
+        let receiver = Receiver::met(accel, viewpoint, q)?;
+        let field = Field::new(accel, boundaries, AMONG_EXPLICIT_BOUNDARIES);
+        let shadows = shadows(&field, &receiver, viewpoint.visibility);
+        let frame = Frame::from_normal(receiver.plane(0.0).normal);
+        let hit = receiver.viewpoint + q * receiver.distance;
+        let flat = |p: Vec3| Vec2::new(frame.s.dot(p - hit), frame.t.dot(p - hit));
+        // The border first, then the projected silhouettes.
+        let [a, b, c] = receiver.corners;
+        let border = [[a, b], [b, c], [c, a]];
+        let segments = border.into_iter().chain(shadows.iter().map(|it| it.ends));
+        let plane = Plane {
+            curves: segments
+                .map(|it| BoundaryCurve::Segment(it.map(flat)))
+                .collect(),
+        };
+        let unlimited = WalkSettings {
+            max_radius: f64::INFINITY,
+            ..*walk
+        };
+        let number = |i| random.number(i);
+        let sample = sample_field(&plane, Vec2::new(0.0, 0.0), &unlimited, number);
+        let mut flow = receiver.material();
+        for term in sample.terms() {
+            let Some(index) = term.site.curve.checked_sub(border.len()) else {
+                continue; // on the border, at rest
+            };
+            let shadow = &shadows[index];
+            let ends = boundaries.ends(shadow.edge);
+            let point = shadow.point(&receiver, ends, term.site.t);
+            let velocity = projected(&field, viewpoint, &receiver, &point);
+            let divergence = frame.s * term.gradient.x + frame.t * term.gradient.y;
+            receiver.add(&mut flow, &velocity, term.weight, divergence);
+        }
+        Some(flow)
+    }
+}
 
 /// A silhouette and its projection.
 struct Shadow {
@@ -95,81 +179,30 @@ fn cut([from, to]: [f64; 2], [a, b]: [f64; 2]) -> Option<[f64; 2]> {
     (bounds[0] < bounds[1]).then_some(bounds)
 }
 
-impl Field<'_> {
-    /// All silhouettes between a viewpoint and a receiver, projected on its plane.
-    fn shadows(&self, receiver: &Receiver, visibility: Visibility) -> Vec<Shadow> {
-        // The camera sees between its clip planes.
-        let view = self.accel.view.from(receiver.viewpoint);
-        let [near, far] = view.clip();
-        let behind_near = |p: Vec3| view.depth(p) - near;
-        let before_far = |p: Vec3| far - view.depth(p);
-        let clip: [&dyn Fn(Vec3) -> f64; 2] = [&behind_near, &before_far];
-        let range = match visibility {
-            Visibility::Camera => &clip[..],
-            Visibility::Surface | Visibility::All => &[],
-        };
-        let plane = receiver.plane(IN_PLANE * receiver.distance);
-        let edges = self.boundaries.edges().iter().enumerate();
-        let shadow = |(index, edge): (usize, &Edge)| {
-            let ends = self.ends(edge);
-            let is_boundary =
-                !plane.hides(ends) && edge.is_silhouette(&self.accel.mesh, receiver.viewpoint);
-            match is_boundary {
-                true => Shadow::new(receiver, index as u32, ends, range),
-                false => None,
-            }
-        };
-        edges.filter_map(shadow).collect()
-    }
-
-    fn ends(&self, edge: &Edge) -> [Vec3; 2] {
-        edge.vertices
-            .map(|i| self.boundaries.positions()[i as usize])
-    }
-
-    /// A sample of the direction's motion and its divergence with the field on the
-    /// triangle that it meets, Algorithm 3; `None` if it meets nothing.
-    pub(crate) fn explicit_flow<R: Real>(
-        &self,
-        viewpoint: &Viewpoint<R>,
-        q: Vec3,
-        walk: &WalkSettings,
-        random: Numbers,
-    ) -> Option<Flow> {
-        let receiver = self.receiver(viewpoint, q)?;
-        let shadows = self.shadows(&receiver, viewpoint.visibility);
-        let frame = Frame::from_normal(receiver.plane(0.0).normal);
-        let hit = receiver.viewpoint + q * receiver.distance;
-        let flat = |p: Vec3| Vec2::new(frame.s.dot(p - hit), frame.t.dot(p - hit));
-        // The border first, then the projected silhouettes.
-        let [a, b, c] = receiver.corners;
-        let border = [[a, b], [b, c], [c, a]];
-        let segments = border.into_iter().chain(shadows.iter().map(|it| it.ends));
-        let plane = Plane {
-            curves: segments
-                .map(|it| BoundaryCurve::Segment(it.map(flat)))
-                .collect(),
-        };
-        let unlimited = WalkSettings {
-            max_radius: f64::INFINITY,
-            ..*walk
-        };
-        let number = |i| random.number(i);
-        let sample = sample_field(&plane, Vec2::new(0.0, 0.0), &unlimited, number);
-        let mut flow = receiver.material();
-        for term in sample.terms() {
-            let Some(index) = term.site.curve.checked_sub(border.len()) else {
-                continue; // on the border, at rest
-            };
-            let shadow = &shadows[index];
-            let ends = self.ends(&self.boundaries.edges()[shadow.edge as usize]);
-            let point = shadow.point(&receiver, ends, term.site.t);
-            let velocity = self.projected(viewpoint, &receiver, &point);
-            let divergence = frame.s * term.gradient.x + frame.t * term.gradient.y;
-            receiver.add(&mut flow, &velocity, term.weight, divergence);
+/// All silhouettes between a viewpoint and a receiver, projected on its plane.
+fn shadows(field: &Field, receiver: &Receiver, visibility: Visibility) -> Vec<Shadow> {
+    let (accel, boundaries) = (field.accel, field.boundaries);
+    // The camera sees between its clip planes.
+    let view = accel.view.from(receiver.viewpoint);
+    let [near, far] = view.clip();
+    let behind_near = |p: Vec3| view.depth(p) - near;
+    let before_far = |p: Vec3| far - view.depth(p);
+    let clip: [&dyn Fn(Vec3) -> f64; 2] = [&behind_near, &before_far];
+    let range = match visibility {
+        Visibility::Camera => &clip[..],
+        Visibility::Surface | Visibility::All => &[],
+    };
+    let plane = receiver.plane(IN_PLANE * receiver.distance);
+    let edges = boundaries.edges().iter().enumerate();
+    let shadow = |(index, edge): (usize, &Edge)| {
+        let ends = boundaries.ends(index as u32);
+        let is_boundary = !plane.hides(ends) && edge.is_silhouette(&accel.mesh, receiver.viewpoint);
+        match is_boundary {
+            true => Shadow::new(receiver, index as u32, ends, range),
+            false => None,
         }
-        Some(flow)
-    }
+    };
+    edges.filter_map(shadow).collect()
 }
 
 #[cfg(test)]

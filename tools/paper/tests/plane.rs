@@ -5,9 +5,10 @@
 use std::cell::RefCell;
 
 use capwalk_math::{Moments, Vec2};
-use capwalk_walk::plane::CurvePoint;
-use capwalk_walk::{Domain, Estimator, Plane, WalkSettings, sample_field, sample_value};
+use capwalk_paper::walk::plane::{CurvePoint, Plane};
+use capwalk_walk::{Domain, Estimator, WalkSettings, sample_field, sample_value};
 
+#[path = "../../../crates/walk/tests/common/mod.rs"]
 mod common;
 use common::{assert_mean, number};
 

@@ -22,21 +22,59 @@
 
 use std::f64::consts::PI;
 
+use capwalk_boundary::{
+    Accel, Boundaries, CustomField, Flow, Method, Numbers, Refusal, Stream, Viewpoint,
+};
 use capwalk_geometry::Hit;
-use capwalk_math::{Frame, Real, Vec3};
-
-use super::settings::WasSettings;
-use crate::random::Stream;
+use capwalk_math::{Frame, Vec3};
+use capwalk_walk::WalkSettings;
 
 use super::receiver::Receiver;
 use super::was;
+use super::was_settings::WasSettings;
 use super::weighted_mean::{self, edge_test, ray_numbers, relative_density};
-use crate::field::Field;
-use crate::flow::Flow;
-use crate::viewpoint::Viewpoint;
 
 /// What lies before a plane does so by more than this fraction of the distance.
 const IN_PLANE: f64 = 1e-9;
+
+/// Warped-area sampling in path space. Biased like [`was`](was::was).
+pub fn psdr_was(settings: WasSettings) -> Method {
+    // Methods live as long as the program, which makes few of them.
+    Method::Custom(Box::leak(Box::new(PsdrWas(settings))))
+}
+
+#[derive(Debug)]
+struct PsdrWas(WasSettings);
+
+impl CustomField for PsdrWas {
+    fn name(&self) -> &'static str {
+        "psdr-was"
+    }
+
+    fn is_unbiased(&self) -> bool {
+        false
+    }
+
+    fn walks(&self) -> bool {
+        false
+    }
+
+    fn check(&self, _: &Boundaries, _: &WalkSettings) -> Result<(), Refusal> {
+        self.0.check()
+    }
+
+    fn flow(
+        &self,
+        accel: &Accel,
+        _: &Boundaries,
+        viewpoint: &Viewpoint<f64>,
+        q: Vec3,
+        _: &WalkSettings,
+        random: Numbers,
+    ) -> Option<Flow> {
+        Some(flow(accel, viewpoint, q, &self.0, &random.branch()))
+    }
+}
 
 /// An auxiliary point.
 struct Auxiliary {
@@ -50,69 +88,73 @@ struct Auxiliary {
     before: Option<(Hit, Vec3)>,
 }
 
-impl Field<'_> {
-    /// The motion of the direction `q` and the divergence there.
-    pub(crate) fn psdr_was_flow<R: Real>(
-        &self,
-        viewpoint: &Viewpoint<R>,
-        q: Vec3,
-        settings: &WasSettings,
-        numbers: &Stream,
-    ) -> Flow {
-        let Some(receiver) = self.receiver(viewpoint, q) else {
-            return was::flow(self.accel, viewpoint, q, settings, numbers);
-        };
-        let draw = |index, rays: &mut Vec<_>| {
-            for (u, mirrored) in ray_numbers(settings, numbers, index) {
-                let (offset, inverse_density) = sample_offset(&receiver, settings.kappa, u);
-                let offset = if mirrored { -offset } else { offset };
-                rays.push(self.auxiliary(viewpoint, &receiver, settings, offset, inverse_density));
-            }
-        };
-        let weight = |ray: &Auxiliary| {
-            let distance = distance(&receiver, ray.offset, settings.kappa);
-            weighted_mean::weight(ray.inverse_density, distance, ray.boundary)
-        };
-        let (rays, shares) = weighted_mean::shares(settings, numbers, draw, weight, Vec3::zero());
-        let mut flow = receiver.material();
-        for (ray, share) in rays.iter().zip(&shares) {
-            let Some((hit, seen)) = &ray.before else {
-                continue; // the material, at rest
-            };
-            let corners = self.accel.mesh.faces[hit.face as usize];
-            let weights = was::corner_weights(hit);
-            let parts = [0, 1, 2].map(|i| (corners[i], weights[i]));
-            let angular = |velocity: Vec3| velocity.reject_from(*seen) / hit.t;
-            let velocity = receiver.projected(&parts, angular, *seen);
-            receiver.add(&mut flow, &velocity, share.weight, share.divergence);
+/// The motion of the direction `q` and the divergence there.
+fn flow(
+    accel: &Accel,
+    viewpoint: &Viewpoint<f64>,
+    q: Vec3,
+    settings: &WasSettings,
+    numbers: &Stream,
+) -> Flow {
+    let Some(receiver) = Receiver::met(accel, viewpoint, q) else {
+        return was::flow(accel, viewpoint, q, settings, numbers);
+    };
+    let draw = |index, rays: &mut Vec<_>| {
+        for (u, mirrored) in ray_numbers(settings, numbers, index) {
+            let (offset, inverse_density) = sample_offset(&receiver, settings.kappa, u);
+            let offset = if mirrored { -offset } else { offset };
+            rays.push(auxiliary(
+                accel,
+                viewpoint,
+                &receiver,
+                settings,
+                offset,
+                inverse_density,
+            ));
         }
-        flow
+    };
+    let weight = |ray: &Auxiliary| {
+        let distance = distance(&receiver, ray.offset, settings.kappa);
+        weighted_mean::weight(ray.inverse_density, distance, ray.boundary)
+    };
+    let (rays, shares) = weighted_mean::shares(settings, numbers, draw, weight, Vec3::zero());
+    let mut flow = receiver.material();
+    for (ray, share) in rays.iter().zip(&shares) {
+        let Some((hit, seen)) = &ray.before else {
+            continue; // the material, at rest
+        };
+        let corners = accel.mesh.faces[hit.face as usize];
+        let weights = was::corner_weights(hit);
+        let parts = [0, 1, 2].map(|i| (corners[i], weights[i]));
+        let angular = |velocity: Vec3| velocity.reject_from(*seen) / hit.t;
+        let velocity = receiver.projected(&parts, angular, *seen);
+        receiver.add(&mut flow, &velocity, share.weight, share.divergence);
     }
+    flow
+}
 
-    fn auxiliary<R: Real>(
-        &self,
-        viewpoint: &Viewpoint<R>,
-        receiver: &Receiver,
-        settings: &WasSettings,
-        offset: Vec3,
-        inverse_density: f64,
-    ) -> Auxiliary {
-        let point = receiver.point() + offset;
-        let to_point = point - receiver.viewpoint;
-        let distance = to_point.length();
-        let direction = to_point / distance;
-        let hit = was::cast(self.accel, viewpoint, direction);
-        let before =
-            hit.filter(|hit| hit.t < distance * (1.0 - IN_PLANE) && hit.face != receiver.face);
-        Auxiliary {
-            offset,
-            inverse_density,
-            boundary: match &before {
-                Some(hit) => was::boundary_test(self.accel, settings.boundary, hit, direction),
-                None => edge_test(receiver.weights(point)),
-            },
-            before: before.map(|hit| (hit, direction)),
-        }
+fn auxiliary(
+    accel: &Accel,
+    viewpoint: &Viewpoint<f64>,
+    receiver: &Receiver,
+    settings: &WasSettings,
+    offset: Vec3,
+    inverse_density: f64,
+) -> Auxiliary {
+    let point = receiver.point() + offset;
+    let to_point = point - receiver.viewpoint;
+    let distance = to_point.length();
+    let direction = to_point / distance;
+    let hit = was::cast(accel, viewpoint, direction);
+    let before = hit.filter(|hit| hit.t < distance * (1.0 - IN_PLANE) && hit.face != receiver.face);
+    Auxiliary {
+        offset,
+        inverse_density,
+        boundary: match &before {
+            Some(hit) => was::boundary_test(accel, settings.boundary, hit, direction),
+            None => edge_test(receiver.weights(point)),
+        },
+        before: before.map(|hit| (hit, direction)),
     }
 }
 

@@ -9,10 +9,10 @@
 //! Both integrals are estimated with the same few rays: the ratio is biased, and
 //! consistent as their number grows.
 
+use capwalk_boundary::Stream;
 use capwalk_math::Vec3;
 
-use super::settings::WasSettings;
-use crate::random::Stream;
+use super::was_settings::WasSettings;
 
 /// `γ`, how fast weights fall off. As printed, with 1, the integral of `w` is finite
 /// around a silhouette, and the field does not become the silhouette's there.

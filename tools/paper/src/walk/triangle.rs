@@ -4,9 +4,7 @@
 use capwalk_geometry::SilhouettePoint;
 use capwalk_geometry::edge::closest_direction;
 use capwalk_math::Vec3;
-
-use crate::domain::{Domain, Nearest};
-use crate::sphere::Sphere;
+use capwalk_walk::{Domain, Nearest, Sphere};
 
 /// The directions from a point to a triangle, bounded by the triangle's own border
 /// and by the silhouettes before it. Walks that start inside stay inside.
