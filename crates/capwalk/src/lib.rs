@@ -81,6 +81,9 @@ mod images;
 mod load;
 mod loss;
 mod method;
+// Tests of a build with the GPU compile and try what one without it has.
+#[cfg(all(test, feature = "gpu"))]
+mod no_gpu_work;
 mod on_device;
 pub mod optimize;
 mod options;

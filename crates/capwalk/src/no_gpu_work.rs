@@ -47,3 +47,42 @@ fn found<T>(device: Device) -> Result<Found<T>, Error> {
         Device::Auto | Device::Cpu => Ok(Found::Cpu { remark: None }),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use capwalk_diff::Unwatched;
+    use capwalk_scene::builtin;
+
+    /// A GPU that is asked for is an error that says how to build it; where any device will do, it
+    /// is the processor, in every mode.
+    #[test]
+    fn there_is_no_gpu() {
+        let prepared = PreparedScene::new(builtin::scene("leaf").expect("built in"));
+        let scene = prepared.scene();
+        let still = Tangent::zero(scene);
+        let (wanted, adjoint) = (Wanted::by(&still), Image::new(1, 1));
+        let (sampling, options) = (RenderOptions::default(), GradientOptions::default());
+        let found = |device| {
+            [
+                image(&prepared, device, &sampling, &Unwatched).map(is_left_to_processor),
+                gradient(&prepared, device, &still, &options, &Unwatched).map(is_left_to_processor),
+                backward(&prepared, device, (&adjoint, &wanted), &options, &Unwatched)
+                    .map(is_left_to_processor),
+            ]
+        };
+        for device in [Device::Auto, Device::Cpu] {
+            assert!(found(device).iter().all(|found| matches!(found, Ok(true))));
+        }
+        for found in found(Device::Gpu) {
+            let text = found.expect_err("there is none").to_string();
+            for words in ["built without the GPU", "--features gpu", "--device cpu"] {
+                assert!(text.contains(words), "no \"{words}\" in: {text}");
+            }
+        }
+    }
+
+    fn is_left_to_processor<T>(found: Found<T>) -> bool {
+        matches!(found, Found::Processor { remark: None })
+    }
+}
