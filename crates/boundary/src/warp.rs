@@ -6,6 +6,7 @@ use capwalk_math::{Real, Vec3};
 use capwalk_walk::{FieldSample, WalkSettings};
 
 use crate::boundary_sample::BoundarySample;
+use crate::custom_field::CustomField;
 use crate::draw::Numbers;
 use crate::field::Field;
 use crate::flow::{Flow, FlowSource};
@@ -54,14 +55,8 @@ impl Field<'_> {
             Method::Auto | Method::Walk | Method::FittedWalk | Method::Edges(_) => {
                 Warp::Boundary(walk(self, viewpoint, q, settings, random))
             }
-            Method::Custom(custom) => {
-                let (accel, boundaries, seen) = (self.accel, self.boundaries, viewpoint.value());
-                custom
-                    .flow(accel, boundaries, &seen, q, settings, random)
-                    .map_or_else(
-                        || self.warp_beside(viewpoint, q, settings, random),
-                        Warp::Flow,
-                    )
+            Method::Custom(field) => {
+                self.custom_warp(*field, &viewpoint.value(), q, settings, random)
             }
         }
     }
@@ -74,26 +69,37 @@ impl Field<'_> {
         settings: &WalkSettings,
         random: Numbers,
     ) -> Warp {
-        match self.method.traits().is_spherical {
-            true => Warp::Value(walk_value(self, viewpoint, q, settings, random)),
-            false => self.warp(viewpoint, q, settings, random),
+        match &self.method {
+            Method::Auto | Method::Walk | Method::FittedWalk | Method::Edges(_) => {
+                Warp::Value(walk_value(self, viewpoint, q, settings, random))
+            }
+            Method::Custom(field) => {
+                self.custom_warp(*field, &viewpoint.value(), q, settings, random)
+            }
         }
     }
 
-    /// The field on the sphere of directions, bounded by all silhouettes.
-    fn warp_beside<R: Real>(
+    /// The field of someone else; where it has no flow, that on the sphere of directions, bounded by
+    /// all silhouettes. Out of line, so that the others are as fast as without it.
+    #[cold]
+    fn custom_warp(
         &self,
-        viewpoint: &Viewpoint<R>,
+        field: &dyn CustomField,
+        viewpoint: &Viewpoint<f64>,
         q: Vec3,
         settings: &WalkSettings,
         random: Numbers,
     ) -> Warp {
-        let viewpoint = Viewpoint {
+        let (accel, boundaries) = (self.accel, self.boundaries);
+        if let Some(flow) = field.flow(accel, boundaries, viewpoint, q, settings, random) {
+            return Warp::Flow(flow);
+        }
+        let among_all = Viewpoint {
             selection: EdgeSelection::Silhouettes,
             group: SEEN,
             ..*viewpoint
         };
-        Warp::Boundary(walk(self, &viewpoint, q, settings, random))
+        Warp::Boundary(walk(self, &among_all, q, settings, random))
     }
 }
 
