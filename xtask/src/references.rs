@@ -6,7 +6,11 @@ use anyhow::Result;
 use crate::shell::{cargo, step};
 
 /// The test programs that compare with them.
-const PROGRAMS: [[&str; 2]; 2] = [["capwalk-diff", "gradients"], ["capwalk-cli", "phenomena"]];
+const PROGRAMS: [[&str; 2]; 3] = [
+    ["capwalk-diff", "gradients"],
+    ["capwalk-cli", "phenomena"],
+    ["capwalk-paper", "fields"],
+];
 
 /// The variable in which the programs are asked for references instead of tests.
 const VARIABLE: &str = "CAPWALK_REFERENCES";

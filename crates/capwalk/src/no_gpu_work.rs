@@ -83,6 +83,6 @@ mod tests {
     }
 
     fn is_left_to_processor<T>(found: Found<T>) -> bool {
-        matches!(found, Found::Processor { remark: None })
+        matches!(found, Found::Cpu { remark: None })
     }
 }

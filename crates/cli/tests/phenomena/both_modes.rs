@@ -7,12 +7,13 @@ use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
 };
 use capwalk_math::Rgb;
-use capwalk_scene::{Image, params};
+use capwalk_scene::Image;
 use capwalk_scene_io::arrays;
 use capwalk_scene_io::image::{self, LayeredImage, Preview};
 
 use crate::capwalk;
 use crate::folder::{Folder, WIDE};
+use crate::reference::tangent;
 
 /// Few samples, all of them drawn from the same numbers.
 const SPP: u32 = 4;
@@ -42,9 +43,7 @@ fn dot(a: &Image, b: &Image) -> f64 {
 pub fn agree(folder: &Folder, parameter: &str, out: &Path) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
-    let tangent = params::Registry::new(&scene)
-        .tangent(&scene, parameter)
-        .unwrap_or_else(|e| panic!("{name}: {e}"));
+    let tangent = tangent(folder, &scene, parameter);
     let settings = GradientOptions {
         blind: true,
         method: Method::Walk,

@@ -1,25 +1,22 @@
-//! `--method edges` and what `--method auto` chooses against the finite differences of
-//! `check`, wherever something moves.
+//! `--method edges` and what `--method auto` chooses against finite differences, wherever
+//! something moves.
 
-use std::path::Path;
-
-use capwalk_diff::Method;
-use capwalk_scene::{EmitterVectors, SensorVectors, params};
+use capwalk_diff::{Estimate, Method};
+use capwalk_scene::{EmitterVectors, SensorVectors};
 
 use crate::folder::{Edges, Folder};
-use crate::methods::{agrees, by, chosen, differences};
+use crate::methods::{agrees, by, chosen};
+use crate::reference::tangent;
 
 /// Enough samples to see that two methods are not the same.
 const FEW: u32 = 4;
 
-/// Demands that gathered edges agree with the differences in a file, or are walks
+/// Demands that gathered edges agree with the reference, or are walks
 /// again; and the same of what is chosen, if that is neither.
-pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
+pub fn agree(folder: &Folder, parameter: &str, edges: Edges, reference: &Estimate) {
     let name = format!("{}, {parameter}", folder.name);
     let scene = folder.scene();
-    let tangent = params::Registry::new(&scene)
-        .tangent(&scene, parameter)
-        .unwrap_or_else(|e| panic!("{name}: {e}"));
+    let tangent = tangent(folder, &scene, parameter);
     let lights = &tangent.emitters;
     let is_at_rest = tangent.shapes.iter().all(Option::is_none)
         && tangent.sensor == SensorVectors::default()
@@ -40,10 +37,10 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, check: &Path) {
     );
     if edges == Edges::Gathered {
         let name = format!("{name}, edges");
-        agrees(&name, gathered, &scene, &tangent, &differences(check));
+        agrees(&name, gathered, &scene, &tangent, reference);
     }
     if few_auto != walked && few_auto != few_gathered {
         let name = format!("{name}, auto");
-        agrees(&name, auto, &scene, &tangent, &differences(check));
+        agrees(&name, auto, &scene, &tangent, reference);
     }
 }

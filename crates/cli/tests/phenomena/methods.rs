@@ -1,17 +1,15 @@
-//! Other methods than walks on caps against the finite differences of `check`. The
+//! Other methods than walks on caps against the finite differences. The
 //! verdict must be right, and signs must cancel. The mean of z² is left to the
 //! verdict: where there is little noise in the gradient, it is that of the
 //! differences again.
 
 use std::borrow::Cow;
-use std::path::Path;
 
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
     Estimate, GradientOptions, GradientWork, Method, PreparedScene, Unwatched, gradient,
 };
 use capwalk_scene::{Scene, Tangent};
-use capwalk_scene_io::image;
 
 /// Standard errors of the sum of all differences.
 pub const SIGN: f64 = 4.0;
@@ -38,16 +36,6 @@ pub fn by(options: GradientOptions, spp: u32, scene: &Scene, tangent: &Tangent) 
     let result = gradient(&prepared, tangent, &options, &Unwatched).expect("covered");
     assert_eq!(result.statistics.non_finite, 0);
     result.gradient
-}
-
-/// The differences in a file that `check` wrote.
-pub fn differences(check: &Path) -> Estimate {
-    let file = image::read(check).expect("readable");
-    let layer = |name: &str| file.layer(name).expect("written").clone();
-    Estimate {
-        mean: layer("reference"),
-        standard_error: layer("reference_stderr"),
-    }
 }
 
 /// Demands that the derivative with these options agrees with the differences. The scene has

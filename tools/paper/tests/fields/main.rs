@@ -9,9 +9,13 @@ mod common;
 #[path = "../../../../crates/cli/tests/phenomena/folder.rs"]
 mod folder;
 mod in_both_modes;
-#[allow(dead_code, reason = "the differences are in no file")]
+#[allow(dead_code, reason = "one method")]
 #[path = "../../../../crates/cli/tests/phenomena/methods.rs"]
 mod methods;
 mod on_triangles;
+#[path = "../../../../crates/cli/tests/phenomena/reference.rs"]
+mod reference;
 mod refused;
 mod scenes;
+
+use common::store;

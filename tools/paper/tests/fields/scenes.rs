@@ -1,12 +1,11 @@
-//! Fields on triangles in folders of `tests/scenes` that are quiet enough for them, against the finite
-//! differences that these ask for.
+//! Fields on triangles in folders of `tests/scenes` that are quiet enough for them, against their finite
+//! differences.
 
-use capwalk_diff::{PreparedScene, RenderOptions, Unwatched, finite_difference};
 use capwalk_paper::fields::ON_TRIANGLES;
 
-use crate::common::agree::tangent;
 use crate::folder::{Demand, Folder};
-use crate::methods::{chosen, meets};
+use crate::methods::{agrees, chosen};
+use crate::reference::{reference, tangent};
 
 /// Every derivative of a folder.
 fn agree(name: &str) {
@@ -16,18 +15,11 @@ fn agree(name: &str) {
         let Demand::Agree(asked) = check.demand else {
             panic!("{name} is refused");
         };
-        let moves = tangent(&scene, &check.parameter);
-        let differences = finite_difference(
-            &PreparedScene::new(scene.clone()),
-            &moves,
-            asked.step,
-            &RenderOptions::new(asked.spp, 2),
-            &Unwatched,
-        );
-        let differences = differences.expect("covered").gradient;
+        let moves = tangent(&folder, &scene, &check.parameter);
+        let differences = reference(&folder, &check.parameter, &asked);
         let options = chosen(ON_TRIANGLES, &scene, &moves);
         let title = format!("{name}, {}, triangles", check.parameter);
-        meets(&title, options, &scene, &moves, &differences);
+        agrees(&title, options, &scene, &moves, &differences);
     }
 }
 

@@ -133,7 +133,7 @@ fn reference(name: &str, scene: &Scene, tangent: &Tangent, case: Case) -> Estima
         .insert(name.to_owned());
     assert!(is_new, "two tests have a reference \"{name}\"");
     let kept = Reference {
-        name: format!("gradients_{}", plain(name)),
+        name: format!("{}_{}", env!("CARGO_CRATE_NAME"), plain(name)),
         of: name,
         step: case.step,
         spp: case.reference_spp,
