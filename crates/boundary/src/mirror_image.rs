@@ -383,7 +383,7 @@ pub fn moving_image<R: Real>(
 #[cfg(test)]
 mod tests {
     use capwalk_math::Rgb;
-    use capwalk_scene::bsdf::{Bsdf, Metal};
+    use capwalk_scene::lobe::Conductor;
     use capwalk_scene::{Scene, Texture};
 
     use super::*;
@@ -392,14 +392,14 @@ mod tests {
     fn mirrors() -> Accel {
         let mut scene: Scene = capwalk_scene::builtin::scene("box-room").expect("built in");
         let grey = |id: &str, x: f64| Texture::colour(id, Rgb::splat(x));
-        let metal = Metal {
+        let metal = Conductor {
             eta: scene.add_texture(grey("eta", 0.0)),
             k: scene.add_texture(grey("k", 1.0)),
             specular_reflectance: scene.add_texture(grey("r", 0.9)),
         };
         let places: Vec<usize> = scene.shapes.iter().map(|s| s.bsdf.0 as usize).collect();
         for place in places {
-            scene.materials[place].bsdf = Bsdf::Conductor(metal);
+            scene.materials[place].bsdf = metal.into();
         }
         Accel::new(scene)
     }

@@ -247,7 +247,8 @@ mod tests {
 
     use super::*;
     use capwalk_math::Rgb;
-    use capwalk_scene::{Bsdf, Optic, SensorModel, Texture};
+    use capwalk_scene::lobe::Null;
+    use capwalk_scene::{Optic, SensorModel, Texture};
 
     fn difference_step(scene: &Scene, tangent: &Tangent) -> f64 {
         super::difference_step(&PreparedScene::new(scene.clone()), tangent)
@@ -329,7 +330,7 @@ mod tests {
         };
         let dull = step(&scene);
         let floor = scene.shapes.iter().find(|s| s.id == "floor").unwrap();
-        scene.materials[floor.bsdf.0 as usize].bsdf = Bsdf::Null; // specular, as mirrors are
+        scene.materials[floor.bsdf.0 as usize].bsdf = Null::default().into(); // specular, as mirrors are
         let view = scene.sensor.view(&scene.film);
         let turn = 2.0 * 0.1 * view.pixel_size();
         assert!(dull > turn && step(&scene) < 0.5 * turn, "{dull} {turn}");

@@ -21,7 +21,7 @@ use capwalk_math::Affine;
 use capwalk_scene::lobe::Distribution;
 use capwalk_scene::primitive::{cube, icosphere};
 use capwalk_scene::*;
-use common::materials::make;
+use common::materials::{make, rough_metal};
 use common::stages::*;
 use common::*;
 
@@ -109,7 +109,7 @@ fn sky_scenes() -> Vec<(&'static str, Scene, &'static str)> {
     let mirrored = |alpha: f64| {
         let mut scene = under_sky(bumpy.clone(), false);
         make(&mut scene, "floor", |n| {
-            Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Ggx, alpha))
+            rough_metal(n.mirror(), n.facets(Distribution::Ggx, alpha))
         });
         scene.sensor = empty(v(0.0, -3.0, 1.2), v(0.0, -1.15, 0.0), 18.0, SIZE).sensor;
         scene

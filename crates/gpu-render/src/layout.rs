@@ -235,6 +235,34 @@ layout! {
     }
 }
 
+/// The kind of lobe that a material's plugin is to the kernels; `None` if they have no such lobe.
+pub fn kind_of_plugin(plugin: &str) -> Option<usize> {
+    use lobe_kind::*;
+    Some(match plugin {
+        "diffuse" => DIFFUSE,
+        "conductor" => CONDUCTOR,
+        "roughconductor" => ROUGH_CONDUCTOR,
+        "plastic" => PLASTIC,
+        "roughplastic" => ROUGH_PLASTIC,
+        _ => return None,
+    })
+}
+
+/// The places in a lobe of a material's texture of this name.
+pub fn places_of_name(name: &str) -> &'static [usize] {
+    use slot::*;
+    match name {
+        "reflectance" | "diffuse_reflectance" => &[DIFFUSE_REFLECTANCE],
+        "specular_reflectance" => &[SPECULAR_REFLECTANCE],
+        "eta" | "int_ior" => &[INDEX],
+        "k" | "ext_ior" => &[SECOND_INDEX],
+        "alpha" => &[ALPHA_U, ALPHA_V],
+        "alpha_u" => &[ALPHA_U],
+        "alpha_v" => &[ALPHA_V],
+        other => unreachable!("no lobe of the kernels has {other}"),
+    }
+}
+
 /// `layout.slang`.
 pub fn slang() -> String {
     let numbers = [

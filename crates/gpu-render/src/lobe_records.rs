@@ -2,25 +2,14 @@
 
 use capwalk_boundary::Accel;
 use capwalk_geometry::buffers::NONE;
-use capwalk_scene::bsdf::{Coat, Metal};
-use capwalk_scene::lobe::{Distribution, RoughTransmittance};
+use capwalk_scene::fields::{Choice, FieldList};
+use capwalk_scene::lobe::{Distribution, Lobe, RoughTransmittance};
 use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, TextureId};
 
 use crate::layout::distribution::*;
 use crate::layout::lobe::*;
-use crate::layout::lobe_kind::*;
-use crate::layout::record;
+use crate::layout::{kind_of_plugin, places_of_name, record};
 use crate::texture_records::{TextureRecords, float};
-
-/// A lobe of the kernels.
-struct LobeRecord<'a> {
-    kind: usize,
-    distribution: Distribution,
-    nonlinear: bool,
-    coat: Option<&'a RoughTransmittance>,
-    /// In the order of the kernels' slots; the last ones may be left out.
-    textures: Vec<Option<TextureId>>,
-}
 
 /// Where the record of a side of a shape's material starts, which is appended; [`NONE`] if that side
 /// reflects nothing.
@@ -34,34 +23,32 @@ pub fn add_lobe(
     let Some(id) = shown(&accel.scene, shape.bsdf, is_front) else {
         return NONE;
     };
-    let Some(lobe) = lobe_record(accel, id) else {
+    let bsdf = &accel.scene.material(id).bsdf;
+    let Some(kind) = kind(bsdf) else {
         unreachable!("scenes with other materials are refused");
     };
-    let slots: Vec<u32> = lobe
-        .textures
-        .iter()
-        .map(|slot| {
-            slot.map_or(NONE, |id| {
-                textures.add(&accel.scene, id, Some(shape), words)
-            })
-        })
-        .collect();
-    let coat = lobe.coat.map_or(NONE, |coat| {
-        let at = words.len() as u32;
-        words.extend(coat.nodes().map(float));
-        let internal = coat.internal_reflectance(coat.alpha(), coat.eta());
-        words.push(float(internal));
-        at
-    });
-    let distribution = match lobe.distribution {
-        Distribution::Beckmann => BECKMANN,
-        Distribution::Ggx => GGX,
-    };
+    let FieldList { slots, choices } = bsdf.list();
+    let mut at_places: Vec<Option<TextureId>> = Vec::new();
+    for slot in &slots {
+        for &place in places_of_name(slot.name) {
+            at_places.resize(at_places.len().max(place + 1), None);
+            at_places[place] = Some(slot.texture);
+        }
+    }
+    let mut add = |id| textures.add(&accel.scene, id, Some(shape), words);
+    let at_places = at_places.into_iter();
+    let slots: Vec<u32> = at_places.map(|id| id.map_or(NONE, &mut add)).collect();
+    let coat = accel
+        .resolver
+        .coat(id)
+        .map_or(NONE, |coat| add_coat(coat, words));
+    let is_chosen = |choice| choices.iter().any(|&(_, chosen)| chosen == choice);
+    let is_ggx = is_chosen(Choice::Word(Distribution::Ggx.name()));
     let at = words.len() as u32;
     let head: [u32; FIRST_SLOT] = record(&[
-        (0, lobe.kind as u32),
-        (DISTRIBUTION, distribution as u32),
-        (IS_NONLINEAR, lobe.nonlinear.into()),
+        (0, kind as u32),
+        (DISTRIBUTION, if is_ggx { GGX } else { BECKMANN } as u32),
+        (IS_NONLINEAR, is_chosen(Choice::Flag(true)).into()),
         (COAT, coat),
         (SLOTS, slots.len() as u32),
     ]);
@@ -70,11 +57,28 @@ pub fn add_lobe(
     at
 }
 
+/// Where the record of what passes a rough coat starts, which is appended.
+fn add_coat(coat: &RoughTransmittance, words: &mut Vec<u32>) -> u32 {
+    let at = words.len() as u32;
+    words.extend(coat.nodes().map(float));
+    let internal = coat.internal_reflectance(coat.alpha(), coat.eta());
+    words.push(float(internal));
+    at
+}
+
+/// The kind of lobe that a material is to the kernels; `None` if they have no such lobe.
+pub fn kind(bsdf: &Bsdf) -> Option<usize> {
+    match bsdf {
+        Bsdf::Plain(lobe) => kind_of_plugin(lobe.plugin()),
+        _ => None,
+    }
+}
+
 /// True if all surfaces are diffuse and light comes from no map: kernels of their own are for such
 /// scenes.
 pub fn only_diffuse(scene: &Scene) -> bool {
     let is_map = |emitter: &Emitter| matches!(emitter, Emitter::EnvironmentMap { .. });
-    let is_diffuse = |id| matches!(scene.material(id).bsdf, Bsdf::Diffuse { .. });
+    let is_diffuse = |id| matches!(scene.material(id).bsdf, Bsdf::Plain(Lobe::Diffuse(_)));
     let shown = |shape: &Shape| [true, false].map(|is_front| shown(scene, shape.bsdf, is_front));
     let mut sides = scene.shapes.iter().flat_map(|shape| shown(shape));
     !scene.emitters.iter().any(is_map) && sides.all(|side| side.is_none_or(is_diffuse))
@@ -88,60 +92,4 @@ fn shown(scene: &Scene, id: BsdfId, is_front: bool) -> Option<BsdfId> {
         Bsdf::TwoSided { back, .. } => shown(scene, back, true),
         _ => is_front.then_some(id),
     }
-}
-
-/// The lobe of a material; `None` if the kernels have no such lobe.
-fn lobe_record(accel: &Accel, id: BsdfId) -> Option<LobeRecord<'_>> {
-    let plain = |kind, textures| LobeRecord {
-        kind,
-        distribution: Distribution::Beckmann,
-        nonlinear: false,
-        coat: None,
-        textures,
-    };
-    Some(match &accel.scene.material(id).bsdf {
-        Bsdf::Diffuse { reflectance } => plain(DIFFUSE, vec![Some(*reflectance)]),
-        Bsdf::Conductor(metal) => plain(CONDUCTOR, of_metal(metal)),
-        Bsdf::RoughConductor(metal, facets) => LobeRecord {
-            distribution: facets.distribution,
-            ..plain(
-                ROUGH_CONDUCTOR,
-                [of_metal(metal), facets.alpha.map(Some).into()].concat(),
-            )
-        },
-        Bsdf::Plastic(coat) => LobeRecord {
-            nonlinear: coat.nonlinear,
-            ..plain(PLASTIC, of_coat(coat))
-        },
-        Bsdf::RoughPlastic {
-            coat,
-            distribution,
-            alpha,
-        } => LobeRecord {
-            distribution: *distribution,
-            nonlinear: coat.nonlinear,
-            coat: accel.resolver.coat(id),
-            ..plain(
-                ROUGH_PLASTIC,
-                [of_coat(coat), vec![Some(*alpha); 2]].concat(),
-            )
-        },
-        _ => return None,
-    })
-}
-
-/// Colours of base and mirror, real and imaginary part of the refractive index.
-fn of_metal(metal: &Metal) -> Vec<Option<TextureId>> {
-    let mirror = [metal.specular_reflectance, metal.eta, metal.k];
-    [None].into_iter().chain(mirror.map(Some)).collect()
-}
-
-/// Colours of base and mirror, refractive indices inside and outside.
-fn of_coat(coat: &Coat) -> Vec<Option<TextureId>> {
-    let colours = [coat.diffuse_reflectance, coat.specular_reflectance];
-    [colours, [coat.int_ior, coat.ext_ior]]
-        .concat()
-        .into_iter()
-        .map(Some)
-        .collect()
 }

@@ -11,6 +11,7 @@ use capwalk_scene::{
 use capwalk_walk::Estimator;
 
 use crate::edge_paths::LAST_VERTEX;
+use crate::lobe_records::kind;
 
 /// So many segments after roulette began no path is left.
 const AFTER_ROULETTE: u32 = 1000;
@@ -51,7 +52,7 @@ pub fn unsupported_derivative(
 ) -> Option<Unsupported> {
     let in_motion = || in_motion(prepared, wanted, options);
     let what = wanted.moves().then(in_motion).flatten();
-    let what = what.or_else(|| other_number(prepared.scene(), wanted))?;
+    let what = what.or_else(|| other_number(prepared, wanted))?;
     Some(Unsupported {
         what: format!("{what}, and derivatives with respect to that are asked for"),
     })
@@ -163,13 +164,13 @@ fn in_motion(
 
 /// The first number that is wanted and of which the kernels have no derivative: those of coats that
 /// are rough, through which light passes by a table.
-fn other_number(scene: &Scene, wanted: &Wanted) -> Option<String> {
+fn other_number(prepared: &PreparedScene, wanted: &Wanted) -> Option<String> {
+    let (scene, resolver) = (prepared.scene(), &prepared.accel().resolver);
     let is_other = |slot: &Slot| slot.quantity != Quantity::Reflectance;
     let is_wanted = |id: TextureId| wanted.textures[id.0 as usize];
     scene.shapes.iter().find_map(|shape| {
         let coats = scene.materials_below(shape.bsdf).into_iter();
-        let coats =
-            coats.filter(|&id| matches!(scene.material(id).bsdf, Bsdf::RoughPlastic { .. }));
+        let coats = coats.filter(|&id| resolver.coat(id).is_some());
         let mut slots = coats
             .flat_map(|id| scene.material(id).bsdf.slots())
             .filter(is_other);
@@ -195,8 +196,11 @@ fn of_scene(prepared: &PreparedScene) -> Option<String> {
     let emitter = scene.emitters.iter().find_map(of_emitter);
     let material = || {
         scene.shapes.iter().find_map(|shape| {
-            let kind = of_material(scene, shape.bsdf)?;
-            Some(format!("the material of shape \"{}\" is {kind}", shape.id))
+            let plugin = of_material(scene, shape.bsdf)?;
+            Some(format!(
+                "the material of shape \"{}\" is of the type {plugin}",
+                shape.id
+            ))
         })
     };
     emitter.or_else(material)
@@ -215,26 +219,12 @@ fn of_emitter(emitter: &Emitter) -> Option<String> {
     }
 }
 
-/// What a material has besides sides that the kernels have lobes of, with its article.
+/// The plugin in a material that the kernels have no lobe of.
 fn of_material(scene: &Scene, id: BsdfId) -> Option<&'static str> {
     match &scene.material(id).bsdf {
-        Bsdf::Diffuse { .. }
-        | Bsdf::Conductor(_)
-        | Bsdf::RoughConductor(..)
-        | Bsdf::Plastic(_)
-        | Bsdf::RoughPlastic { .. } => None,
         Bsdf::TwoSided { front, back } => {
             of_material(scene, *front).or_else(|| of_material(scene, *back))
         }
-        Bsdf::Dielectric(_) => Some("a dielectric"),
-        Bsdf::RoughDielectric(..) => Some("a rough dielectric"),
-        Bsdf::ThinDielectric(_) => Some("a thin dielectric"),
-        Bsdf::PolarizedPlastic(..) => Some("a polarized plastic"),
-        Bsdf::Principled(_) | Bsdf::PrincipledThin(_) => Some("a principled one"),
-        Bsdf::Null => Some("a null one"),
-        Bsdf::Mask { .. } => Some("a mask"),
-        Bsdf::Blend { .. } => Some("a blend"),
-        Bsdf::NormalMap { .. } => Some("a normal map"),
-        Bsdf::BumpMap { .. } => Some("a bump map"),
+        bsdf => kind(bsdf).is_none().then(|| bsdf.plugin()),
     }
 }

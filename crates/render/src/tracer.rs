@@ -372,9 +372,9 @@ const NO_WALK: WalkSettings = WalkSettings {
 mod tests {
     use capwalk_boundary::Method;
     use capwalk_math::{Affine, Rgb, Vec3};
-    use capwalk_scene::bsdf::Metal;
+    use capwalk_scene::lobe::Conductor;
     use capwalk_scene::primitive::rectangle;
-    use capwalk_scene::{Bsdf, BsdfId, Integrator, Material, Shape, Texture, builtin};
+    use capwalk_scene::{BsdfId, Integrator, Material, Shape, Texture, builtin};
 
     use super::*;
 
@@ -394,14 +394,14 @@ mod tests {
                 let colour = |id: &str, grey: f64| Texture::colour(id, Rgb::splat(grey));
                 let k = scene.add_texture(colour("k", 1.0));
                 let eta = scene.add_texture(colour("eta", 0.0));
-                let metal = Metal {
+                let metal = Conductor {
                     eta,
                     k,
                     specular_reflectance: k,
                 };
                 scene.materials.push(Material {
                     id: "metal".into(),
-                    bsdf: Bsdf::Conductor(metal),
+                    bsdf: metal.into(),
                 });
                 let id = BsdfId(scene.materials.len() as u32 - 1);
                 for i in 0..mirrors {

@@ -8,7 +8,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// A surface point that scatters light.
 #[derive(Clone, Debug)]
-pub struct Vertex<R> {
+pub struct Vertex<R: Real> {
     /// World-space position.
     pub position: Vec3<R>,
     /// Unit normal of the face on the viewer's side.

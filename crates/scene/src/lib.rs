@@ -38,7 +38,9 @@ pub use film::Film;
 pub use filter::Filter;
 pub use ids::{BsdfId, EmitterId, ShapeId, TextureId};
 pub use image::Image;
-pub use material::{Bsdf, Material, Resolved, Resolver, bsdf, lobe, resolve};
+pub use material::{
+    Bsdf, Material, Resolved, Resolver, bsdf, fields, lobe, number, plain, resolve,
+};
 pub use quantity::Quantity;
 pub use scene::Scene;
 pub use scene_error::SceneError;

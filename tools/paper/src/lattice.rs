@@ -3,7 +3,8 @@
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::bsdf::{Bsdf, Material, Metal};
+use capwalk_scene::bsdf::Material;
+use capwalk_scene::lobe::Conductor;
 use capwalk_scene::{
     BsdfId, Integrator, Scene, SensorModel, ShadingNormals, Shape, Texture, builtin, primitive,
 };
@@ -92,14 +93,14 @@ pub fn in_mirror([width, height]: [u32; 2]) -> Result<Subject, Failure> {
     };
     let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
     // Eta of 0 reflects all light.
-    let metal = Bsdf::Conductor(Metal {
+    let metal = Conductor {
         eta: number("mirror.bsdf.eta", 0.0),
         k: number("mirror.bsdf.k", 1.0),
         specular_reflectance: number("mirror.bsdf.specular_reflectance", 0.95),
-    });
+    };
     scene.materials.push(Material {
         id: "mirror.bsdf".into(),
-        bsdf: metal,
+        bsdf: metal.into(),
     });
     let material = BsdfId(scene.materials.len() as u32 - 1);
     // It stands on the floor, turned a little, and faces the camera.

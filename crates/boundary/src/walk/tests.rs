@@ -1,9 +1,9 @@
 use capwalk_geometry::Edge;
 use capwalk_geometry::edge::closest_direction;
 use capwalk_math::{Affine, Frame};
-use capwalk_scene::bsdf::Metal;
+use capwalk_scene::lobe::Conductor;
 use capwalk_scene::primitive::icosphere;
-use capwalk_scene::{Bsdf, Film, Scene, SensorModel, ShadingNormals, Texture, builtin};
+use capwalk_scene::{Film, Scene, SensorModel, ShadingNormals, Texture, builtin};
 use capwalk_walk::Domain;
 
 use super::*;
@@ -15,13 +15,13 @@ use crate::method::Method;
 fn mirrored() -> Scene {
     let mut scene = builtin::scene("ball").expect("built in");
     let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
-    let metal = Metal {
+    let metal = Conductor {
         eta: number("eta", 0.0),
         k: number("k", 1.0),
         specular_reflectance: number("tint", 1.0),
     };
     let floor = scene.shapes[0].bsdf;
-    scene.materials[floor.0 as usize].bsdf = Bsdf::Conductor(metal);
+    scene.materials[floor.0 as usize].bsdf = metal.into();
     for shape in scene.shapes_mut() {
         shape.normals = ShadingNormals::Face;
         shape.uvs = None;

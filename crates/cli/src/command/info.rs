@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::thread;
 
 use anyhow::Result;
+use capwalk::scene::lobe::{Diffuse, Lobe};
 use capwalk::scene::params::{ArrayParameter, Parameter, ParameterKind};
 use capwalk::scene::{
     Bsdf, Emitter, EmitterId, Filter, Integrator, Pattern, SamplerKind, Scene, SensorModel,
@@ -228,7 +229,9 @@ fn texture(scene: &Scene, id: TextureId) -> String {
 fn material(scene: &Scene, id: capwalk::scene::BsdfId) -> String {
     let material = scene.material(id);
     match &material.bsdf {
-        Bsdf::Diffuse { reflectance } => format!("diffuse {}", texture(scene, *reflectance)),
+        Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => {
+            format!("diffuse {}", texture(scene, *reflectance))
+        }
         Bsdf::TwoSided { front, back } if front == back => {
             format!("two-sided {}", self::material(scene, *front))
         }

@@ -30,7 +30,7 @@ fn images_come_from_the_device_that_is_asked_for() {
     let message = capwalk.error(&format!("render {scene} --spp 1 --device gpu -o glass.exr"));
     assert_has(
         &message,
-        &["shape \"block\" is a dielectric", "--device cpu"],
+        &["shape \"block\" is of the type dielectric", "--device cpu"],
     );
     assert!(!capwalk.folder.join("glass.exr").exists());
 }

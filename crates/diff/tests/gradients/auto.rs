@@ -9,10 +9,9 @@ use capwalk_diff::{
 };
 use capwalk_geometry::effort;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::bsdf::{Facets, Metal};
-use capwalk_scene::lobe::Distribution;
+use capwalk_scene::lobe::{Distribution, Microfacets, RoughConductor};
 use capwalk_scene::primitive::{cube, rectangle};
-use capwalk_scene::{Bsdf, Emitter, Filter, Image, Scene, Tangent, Texture, builtin};
+use capwalk_scene::{Emitter, Filter, Image, Scene, Tangent, Texture, builtin};
 
 use crate::common::agree::*;
 use crate::common::materials::*;
@@ -91,18 +90,15 @@ fn the_best_is_chosen() {
 fn of_metal(mut scene: Scene, id: &str) -> Scene {
     let [eta, k, one, alpha] = [("eta", 0.2), ("k", 3.0), ("one", 1.0), ("alpha", 0.2)]
         .map(|(name, number)| scene.add_texture(Texture::number(name, number)));
-    let metal = Metal {
+    let metal = RoughConductor {
+        microfacets: Microfacets::isotropic(Distribution::Ggx, alpha),
         eta,
         k,
         specular_reflectance: one,
     };
-    let facets = Facets {
-        distribution: Distribution::Ggx,
-        alpha: [alpha; 2],
-    };
     let shape = scene.shapes.iter().find(|shape| shape.id == id);
     let id = shape.expect("it is there").bsdf;
-    scene.materials[id.0 as usize].bsdf = Bsdf::RoughConductor(metal, facets);
+    scene.materials[id.0 as usize].bsdf = metal.into();
     scene
 }
 
@@ -336,7 +332,7 @@ fn edges_are_gathered_before_surfaces() {
     let upright = Affine::translate(v(0.1, 1.0, 1.0)) * turned(85.0, 7.0);
     let (mesh, normals) = rectangle(upright * Affine::scale(v(1.5, 0.9, 1.0)));
     add(&mut scene, "wall", mesh, normals, 0.0);
-    make(&mut scene, "wall", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "wall", |n| n.mirror());
     let high = Affine::translate(v(0.3, -0.6, 0.7)) * turned(23.0, 31.0);
     let (mesh, normals) = cube(high * Affine::scale(Vec3::splat(0.25)));
     add(&mut scene, "thing", mesh, normals, 0.8);
@@ -369,7 +365,7 @@ fn gloss_beside_mirrors_walks_where_it_moves_itself() {
     let place = Affine::translate(v(0.0, 0.8, -2.0)) * Affine::scale(v(2.0, 0.6, 1.0));
     let (mesh, normals) = rectangle(place);
     add(&mut scene, "wall", mesh, normals, 0.0);
-    make(&mut scene, "wall", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "wall", |n| n.mirror());
     for (metal, walks) in [("floor", false), ("ball", true)] {
         let scene = of_metal(scene.clone(), metal);
         let motion = tangent(&scene, "ball.translate.x");

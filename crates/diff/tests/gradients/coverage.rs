@@ -46,7 +46,7 @@ fn stage() -> Scene {
     add_floor(&mut scene, 4.0);
     add_lamp(&mut scene, v(0.9, -0.6, 2.6), 0.8, 0.3, 10.0);
     add_ball(&mut scene, "ball", 0.15);
-    make(&mut scene, "ball", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "ball", |n| n.mirror());
     scene
 }
 
@@ -174,7 +174,7 @@ fn small_things_are_found() {
     scene.emitters = vec![];
     add_constant_light(&mut scene, 1.0);
     add_ball(&mut scene, "pearl", 0.015);
-    make(&mut scene, "pearl", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "pearl", |n| n.mirror());
     add_cube(&mut scene, "thing", v(-2.5, -2.0, 2.0), 0.003);
     for method in METHODS {
         let refusals = both_refuse(&scene, with_method(method, 1, 0));
@@ -223,7 +223,7 @@ fn only_walks_move_what_rests_in_a_mirror() {
 fn a_kept_method_covers_what_moves_now() {
     let scene = cube_hidden_from_a_mirror_ball();
     let mut without_mirror = scene.clone();
-    make(&mut without_mirror, "ball", |n| Bsdf::Diffuse {
+    make(&mut without_mirror, "ball", |n| lobe::Diffuse {
         reflectance: n.colour("reflectance", [0.5; 3]),
     });
     let moves = tangent(&scene, "thing.translate.x");
@@ -256,7 +256,7 @@ fn a_kept_method_covers_what_moves_now() {
 #[test]
 fn refractive_indices_move_what_is_seen() {
     let mut scene = stage();
-    make(&mut scene, "ball", |n| Bsdf::Dielectric(n.glass()));
+    make(&mut scene, "ball", |n| n.glass());
     let prepared = PreparedScene::new(scene);
     for (name, is_refused) in [
         ("ball.bsdf.int_ior.value", true),
@@ -299,7 +299,7 @@ fn a_face_that_nobody_looks_at() -> Scene {
     mirror.faces.push([first, first + 1, first + 2]);
     let normals = ShadingNormals::computed(&mirror);
     add(&mut scene, "mirror", mirror, normals, 0.5);
-    make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "mirror", |n| n.mirror());
     add_cube(&mut scene, "thing", v(2.5, 0.0, 2.5), 0.3);
     light_up(&mut scene, 1.0);
     // A crop around the one face of an image of many pixels.

@@ -40,7 +40,7 @@ fn shadow_before_a_ball() -> Scene {
     let ball = placed(icosphere(3), place);
     let normals = ShadingNormals::computed(&ball);
     add(&mut scene, "ball", ball, normals, 0.5);
-    make(&mut scene, "ball", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "ball", |n| n.mirror());
     let intensity = scene.add_texture(Texture::colour("bulb.intensity", Rgb::splat(5.0)));
     scene.emitters.push(Emitter::Point {
         id: "bulb".into(),

@@ -353,7 +353,7 @@ fn mirror() {
         rr_depth: 5,
         hide_emitters: false,
     };
-    crate::common::materials::make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    crate::common::materials::make(&mut scene, "floor", |n| n.copper());
     let case = Case {
         step: 2e-3,
         gradient_spp: 440,

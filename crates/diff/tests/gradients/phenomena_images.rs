@@ -9,7 +9,6 @@ use crate::common::*;
 use capwalk_diff::Method;
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
-use capwalk_scene::bsdf::Glass;
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
 
@@ -80,7 +79,7 @@ fn agrees_over(step: f64, name: &str, scene: Scene, expression: &str, spp: u32) 
 #[test]
 fn block_and_lamp_in_a_mirror() {
     let mut scene = lit_by_a_ceiling(3);
-    make(&mut scene, "ceiling", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "ceiling", |n| n.mirror());
     let expression =
         "block.translate.x + 0.5*lamp.translate.y - 0.4*ceiling.rotate.y + 0.3*floor.rotate.x";
     agrees("in a mirror", scene, expression, 1500);
@@ -103,7 +102,7 @@ fn one_of_two_mirrors_in_a_plane() {
     drop(shapes);
     add(&mut scene, "second", half(1.3), ShadingNormals::Face, 0.8);
     for id in ["ceiling", "second"] {
-        make(&mut scene, id, |n| Bsdf::Conductor(n.mirror()));
+        make(&mut scene, id, |n| n.mirror());
     }
     agrees_over(1e-2, "one of two mirrors", scene, "second.rotate.y", 1500);
 }
@@ -129,10 +128,10 @@ fn lamps_on_either_side_of_a_pane() {
         0.8,
     );
     make(&mut scene, "pane", |n| {
-        Bsdf::ThinDielectric(Glass {
-            int_ior: n.number("ior", 2.5),
-            ..n.glass()
-        })
+        let int_ior = n.number("ior", 2.5);
+        let mut pane = n.pane();
+        pane.eta.int_ior = int_ior;
+        pane
     });
     for (id, x, radiance) in [("first", 2.0, 10.0), ("second", -2.0, 3.0)] {
         let lamp = upright(x, -FRAC_PI_2 * x.signum()) * Affine::scale(v(0.5, 0.5, 1.0));
@@ -146,7 +145,7 @@ fn lamps_on_either_side_of_a_pane() {
 #[test]
 fn block_in_two_mirrors() {
     let mut scene = lit_by_a_ceiling(4);
-    make(&mut scene, "ceiling", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "ceiling", |n| n.mirror());
     let upright = Affine::rotate(v(0.0, 1.0, 0.0), FRAC_PI_2);
     let wall = Affine::translate(v(-1.5, 0.0, 0.9)) * upright * Affine::scale(v(0.8, 1.5, 1.0));
     add(
@@ -156,7 +155,7 @@ fn block_in_two_mirrors() {
         ShadingNormals::Face,
         0.8,
     );
-    make(&mut scene, "wall", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "wall", |n| n.mirror());
     let expression = "block.translate.x + 0.5*wall.rotate.y";
     agrees("in two mirrors", scene, expression, 3000);
 }
@@ -179,7 +178,7 @@ fn block_behind_a_pane() {
         ShadingNormals::Face,
         0.8,
     );
-    make(&mut scene, "pane", |n| Bsdf::ThinDielectric(n.glass()));
+    make(&mut scene, "pane", |n| n.pane());
     let expression = "block.translate.x + 0.5*block.rotate.z + 0.3*pane.translate.x";
     agrees("behind a pane", scene, expression, 800);
 }

@@ -16,7 +16,7 @@ use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
 
 /// A floor of some material with a thing on it, under a lamp, and a lamp below.
-fn sample_of(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
+fn sample_of<B: Into<Bsdf>>(material: impl FnOnce(&mut Slots) -> B) -> Scene {
     let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 40.0, 36);
     add_floor(&mut scene, 3.0);
     add_lamp(&mut scene, v(0.1, 0.5, 2.5), 1.5, 0.3, 4.0);
@@ -44,7 +44,7 @@ fn numbers_change(name: &str, scene: Scene, expression: &str, gradient_spp: u32)
 
 #[test]
 fn numbers_of_a_rough_metal() {
-    let metal = |n: &mut Slots| Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.3));
+    let metal = |n: &mut Slots| rough_metal(n.copper(), n.facets(Distribution::Ggx, 0.3));
     for name in ["eta", "k", "specular_reflectance"] {
         let expression = format!("floor.bsdf.{name}.value");
         numbers_change(name, sample_of(metal), &expression, 60);
@@ -53,8 +53,7 @@ fn numbers_of_a_rough_metal() {
 
 #[test]
 fn numbers_of_rough_glass() {
-    let glass =
-        |n: &mut Slots| Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Beckmann, 0.3));
+    let glass = |n: &mut Slots| rough_glass(n.glass(), n.facets(Distribution::Beckmann, 0.3));
     let expression = "floor.bsdf.int_ior.value + 0.3*floor.bsdf.alpha.value \
                       - 0.2*floor.bsdf.specular_transmittance.value";
     for expression in [expression, "floor.bsdf.ext_ior.value"] {
@@ -64,18 +63,15 @@ fn numbers_of_rough_glass() {
 
 #[test]
 fn numbers_of_plastic() {
-    let plastic = |n: &mut Slots| Bsdf::Plastic(n.coat(true));
+    let plastic = |n: &mut Slots| n.coat(true);
     let expression = "floor.bsdf.int_ior.value + 0.5*floor.bsdf.diffuse_reflectance.value";
     numbers_change("plastic", sample_of(plastic), expression, 200);
 }
 
 #[test]
 fn numbers_of_rough_plastic() {
-    let rough = |n: &mut Slots| Bsdf::RoughPlastic {
-        coat: n.coat(false),
-        distribution: Distribution::Ggx,
-        alpha: n.number("alpha", 0.25),
-    };
+    let rough =
+        |n: &mut Slots| rough_plastic(n.coat(false), Distribution::Ggx, n.number("alpha", 0.25));
     for name in ["alpha", "int_ior"] {
         let expression = format!("floor.bsdf.{name}.value");
         numbers_change("rough plastic", sample_of(rough), &expression, 60);
@@ -84,7 +80,7 @@ fn numbers_of_rough_plastic() {
 
 #[test]
 fn numbers_of_principled() {
-    let principled = |n: &mut Slots| Bsdf::Principled(n.principled(0.4));
+    let principled = |n: &mut Slots| n.principled(0.4);
     for expression in [
         "floor.bsdf.roughness.value + 0.5*floor.bsdf.base_color.value",
         "floor.bsdf.metallic.value - 0.3*floor.bsdf.spec_trans.value + 0.2*floor.bsdf.eta.value",
@@ -119,7 +115,7 @@ fn numbers_of_principled() {
 
 #[test]
 fn numbers_of_principled_thin() {
-    let thin = |n: &mut Slots| Bsdf::PrincipledThin(n.principled_thin());
+    let thin = |n: &mut Slots| n.principled_thin();
     for expression in [
         "floor.bsdf.roughness.value + 0.5*floor.bsdf.base_color.value",
         "floor.bsdf.diff_trans.value - 0.3*floor.bsdf.spec_trans.value + 0.2*floor.bsdf.eta.value",
@@ -131,9 +127,8 @@ fn numbers_of_principled_thin() {
 
 #[test]
 fn numbers_of_polarized_plastic() {
-    let plastic = |n: &mut Slots| {
-        Bsdf::PolarizedPlastic(n.coat(false), n.facets(Distribution::Beckmann, 0.3))
-    };
+    let plastic =
+        |n: &mut Slots| polarized_plastic(n.coat(false), n.facets(Distribution::Beckmann, 0.3));
     let expression = "floor.bsdf.int_ior.value + 0.5*floor.bsdf.diffuse_reflectance.value \
                       + 0.3*floor.bsdf.alpha.value";
     numbers_change("polarized plastic", sample_of(plastic), expression, 100);
@@ -171,7 +166,7 @@ fn weights_at_their_limits() {
     for limit in [0.0, 1.0] {
         same("mask", masked_floor(0.5), masked_floor(limit), opacity);
     }
-    let glass = |part: f64| sample_of(|n| Bsdf::Principled(n.principled(part)));
+    let glass = |part: f64| sample_of(|n| n.principled(part));
     let spec_trans = "floor.bsdf.spec_trans.value";
     same("glass", glass(0.5), glass(0.0), spec_trans);
 }
@@ -215,7 +210,7 @@ fn texels_at_the_ends(name: &str, mut scene: Scene, ends: [f64; 2]) {
 
 #[test]
 fn texels_without_glass_or_metal() {
-    let principled = || sample_of(|n| Bsdf::Principled(n.principled(0.4)));
+    let principled = || sample_of(|n| n.principled(0.4));
     texels_at_the_ends("spec_trans", principled(), [0.0, 0.0]);
     texels_at_the_ends("spec_trans", principled(), [0.0, 0.5]);
     texels_at_the_ends("metallic", principled(), [0.0, 1.0]);
@@ -223,7 +218,7 @@ fn texels_without_glass_or_metal() {
 
 #[test]
 fn texels_without_sheen_or_coat() {
-    let principled = || sample_of(|n| Bsdf::Principled(n.principled(0.0)));
+    let principled = || sample_of(|n| n.principled(0.0));
     texels_at_the_ends("clearcoat", principled(), [0.0, 0.0]);
     texels_at_the_ends("sheen", principled(), [0.0, 1.0]);
 }

@@ -31,7 +31,7 @@ fn block_before_a_mirror() -> Scene {
         rectangle(Affine::translate(v(0.1, 1.5, 0.8)) * leaning * Affine::scale(v(2.5, 2.2, 1.0)));
     add(&mut scene, "mirror", mirror, normals, 0.5);
     scene.film.filter = Filter::Gaussian { stddev: 0.5 };
-    make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "mirror", |n| n.mirror());
     paths(&mut scene, 3);
     scene
 }
@@ -141,7 +141,7 @@ fn panels_of_one_plane() {
             *p += across * ((0.5 * x + 0.255 * side - x) * (b - a).length());
         }
         add(&mut scene, name, mesh, ShadingNormals::Face, 0.5);
-        make(&mut scene, name, |n| Bsdf::Conductor(n.mirror()));
+        make(&mut scene, name, |n| n.mirror());
     }
     let case = Case {
         min_pixels: 100,
@@ -161,7 +161,7 @@ fn two_mirrors() {
     let (mirror, normals) =
         rectangle(Affine::translate(v(-0.7, 0.3, 0.8)) * across * Affine::scale(v(2.2, 2.5, 1.0)));
     add(&mut scene, "second", mirror, normals, 0.5);
-    make(&mut scene, "second", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "second", |n| n.mirror());
     paths(&mut scene, 4);
     let expression = "block.translate.x + 0.2*second.rotate.z";
     let case = Case {
@@ -175,7 +175,7 @@ fn two_mirrors() {
 #[test]
 fn block_behind_a_pane() {
     let mut scene = block_before_a_mirror();
-    make(&mut scene, "mirror", |n| Bsdf::ThinDielectric(n.glass()));
+    make(&mut scene, "mirror", |n| n.pane());
     let (behind, normals) = tilted_cube();
     let behind = placed(behind, Affine::translate(v(0.6, 2.6, -0.3)));
     add(&mut scene, "behind", behind, normals, 0.7);
@@ -193,7 +193,7 @@ fn block_behind_a_pane() {
 fn block_over_a_polished_floor() {
     let mut scene = block_before_a_mirror();
     scene.shapes.pop();
-    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(false)));
+    make(&mut scene, "floor", |n| n.coat(false));
     moves("polished", scene, "block.translate.x", case(600));
 }
 
@@ -253,7 +253,7 @@ fn variance_before_a_mirror(seed: u64) -> f64 {
     }
     let (ball, normals) = sphere(Affine::IDENTITY, v(0.0, 0.8, 0.0), 0.5);
     add(&mut scene, "ball", ball, normals, 0.4);
-    make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+    make(&mut scene, "mirror", |n| n.mirror());
     paths(&mut scene, 3);
     let tangent = tangent(&scene, "ball.translate.x");
     let settings = GradientOptions {
@@ -295,7 +295,7 @@ fn halves_of_a_mirror_are_one() {
             faces: vec![[0, 1, 2], [0, 2, 3]],
         };
         add(&mut scene, "mirror", mesh, ShadingNormals::Face, 0.5);
-        make(&mut scene, "mirror", |n| Bsdf::Conductor(n.mirror()));
+        make(&mut scene, "mirror", |n| n.mirror());
         let (block, normals) =
             cube(Affine::translate(v(0.1, -5.0, 0.9)) * Affine::scale(Vec3::splat(0.8)));
         add(&mut scene, "block", block, normals, 0.0);
@@ -328,10 +328,10 @@ const BEFORE_THE_PANE: Vec3 = Vec3::new(1.2, -4.0, 1.9);
 
 /// A stage with a bitmap on its floor, seen through a pane of a material before the camera, whose
 /// edges are outside of the image, by paths of so many segments.
-fn behind_a_pane(
+fn behind_a_pane<B: Into<Bsdf>>(
     mut scene: Scene,
     segments: u32,
-    material: impl FnOnce(&mut Slots) -> Bsdf,
+    material: impl FnOnce(&mut Slots) -> B,
 ) -> Scene {
     unit_square(&mut scene, "floor");
     let name = "floor.bsdf.reflectance";
@@ -369,7 +369,7 @@ fn what_moves_and_lets_light_pass() {
     let stage = || visible_stage(BEFORE_THE_PANE);
     let floor = behind_a_pane(stage(), 3, mask(0.0));
     let sky = behind_a_pane(under_a_sky(stage()), 2, mask(0.0));
-    let glass = behind_a_pane(stage(), 3, |n| Bsdf::ThinDielectric(n.glass()));
+    let glass = behind_a_pane(stage(), 3, |n| n.pane());
     let cases = [
         ("floor", "pane.translate.x", floor),
         ("sky", "pane.rotate.x", sky),

@@ -3,7 +3,7 @@
 //! in `phenomena_shadows.rs`.
 
 use crate::common::agree::*;
-use crate::common::materials::make;
+use crate::common::materials::{make, rough_glass, rough_metal};
 use crate::common::stages::*;
 use crate::common::*;
 use crate::phenomena_edges::by;
@@ -57,7 +57,7 @@ fn receiver_and_camera_move() {
 fn glossy_receiver() {
     let mut scene = under_constant_light(with(small_ball()));
     make(&mut scene, "floor", |n| {
-        Bsdf::RoughConductor(n.mirror(), n.facets(Distribution::Ggx, 0.08))
+        rough_metal(n.mirror(), n.facets(Distribution::Ggx, 0.08))
     });
     scene.settings.integrator = Integrator::Direct {
         emitter_samples: 1,
@@ -106,7 +106,7 @@ fn transmitting_surface() {
     let mut scene = under_constant_light(with(triangle()));
     make(&mut scene, "floor", |n| {
         let facets = n.facets(Distribution::Beckmann, 0.5);
-        Bsdf::RoughDielectric(n.glass(), facets)
+        rough_glass(n.glass(), facets)
     });
     let ball = placed(small_ball(), Affine::translate(v(0.2, 0.3, -1.9)));
     add(&mut scene, "below", ball, ShadingNormals::Face, 0.5);

@@ -7,6 +7,7 @@
 
 use std::time::{Duration, Instant};
 
+use crate::common::materials::{rough_glass, rough_metal};
 use crate::common::random::Random;
 use crate::common::{empty, v};
 use capwalk_diff::{
@@ -15,11 +16,12 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb};
-use capwalk_scene::bsdf::{
-    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures,
-};
+use capwalk_scene::bsdf::NormalLimits;
 use capwalk_scene::emitter::EnvironmentMap;
-use capwalk_scene::lobe::Distribution;
+use capwalk_scene::lobe::{
+    Conductor, Dielectric, Diffuse, Distribution, Microfacets, Plastic, Principled, ThinDielectric,
+};
+use capwalk_scene::number::{Indices, PrincipledIndex};
 use capwalk_scene::primitive::{cube, disk, icosphere, rectangle};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
@@ -54,42 +56,45 @@ impl Builder {
         self.scene.add_texture(Texture::number(id, value))
     }
 
-    fn facets(&mut self) -> Facets {
-        let alpha = [self.number(0.01, 0.6), self.number(0.01, 0.6)];
-        Facets {
+    fn facets(&mut self) -> Microfacets<TextureId> {
+        let [alpha_u, alpha_v] = [self.number(0.01, 0.6), self.number(0.01, 0.6)];
+        Microfacets {
             distribution: [Distribution::Ggx, Distribution::Beckmann][self.random.below(2)],
-            alpha: match self.random.chance(0.7) {
-                true => [alpha[0]; 2],
-                false => alpha,
+            alpha_u,
+            alpha_v: match self.random.chance(0.7) {
+                true => alpha_u,
+                false => alpha_v,
             },
         }
     }
 
-    fn metal(&mut self) -> Metal {
-        Metal {
+    fn metal(&mut self) -> Conductor<TextureId> {
+        Conductor {
             eta: self.number(0.1, 3.0),
             k: self.number(0.0, 5.0),
             specular_reflectance: self.colour(),
         }
     }
 
-    fn glass(&mut self) -> Glass {
-        Glass {
-            int_ior: self.number(1.1, 2.0),
-            ext_ior: self.number(1.0, 1.05),
+    fn glass(&mut self) -> Dielectric<TextureId> {
+        Dielectric {
+            eta: Indices {
+                int_ior: self.number(1.1, 2.0),
+                ext_ior: self.number(1.0, 1.05),
+            },
             specular_reflectance: self.colour(),
             specular_transmittance: self.colour(),
         }
     }
 
-    fn principled(&mut self) -> PrincipledTextures {
-        PrincipledTextures {
+    fn principled(&mut self) -> Principled<TextureId> {
+        Principled {
             base_color: self.colour(),
             roughness: self.number(0.1, 1.0),
             anisotropic: self.fraction(),
             metallic: self.fraction(),
             spec_trans: self.fraction(),
-            index: match self.random.chance(0.5) {
+            eta: match self.random.chance(0.5) {
                 true => PrincipledIndex::Eta(self.number(1.1, 2.0)),
                 false => PrincipledIndex::Specular(self.number(0.1, 1.0)),
             },
@@ -99,6 +104,7 @@ impl Builder {
             flatness: self.fraction(),
             clearcoat: self.fraction(),
             clearcoat_gloss: self.fraction(),
+            explored: (),
         }
     }
 
@@ -142,27 +148,36 @@ impl Builder {
     fn material(&mut self, depth: u32) -> BsdfId {
         let kinds = if depth == 0 { 14 } else { 9 };
         let bsdf = match self.random.below(kinds) {
-            0 | 1 => Bsdf::Diffuse {
+            0 | 1 => Bsdf::from(Diffuse {
                 reflectance: self.colour(),
-            },
-            2 => Bsdf::Conductor(self.metal()),
-            3 => Bsdf::RoughConductor(self.metal(), self.facets()),
-            4 => Bsdf::Dielectric(self.glass()),
-            5 => Bsdf::RoughDielectric(self.glass(), self.facets()),
-            6 => Bsdf::ThinDielectric(self.glass()),
-            7 => Bsdf::Plastic(Coat {
-                int_ior: self.number(1.2, 1.9),
-                ext_ior: self.number(1.0, 1.1),
+            }),
+            2 => self.metal().into(),
+            3 => rough_metal(self.metal(), self.facets()).into(),
+            4 => self.glass().into(),
+            5 => rough_glass(self.glass(), self.facets()).into(),
+            6 => {
+                let glass = self.glass();
+                Bsdf::from(ThinDielectric {
+                    eta: glass.eta,
+                    specular_reflectance: glass.specular_reflectance,
+                    specular_transmittance: glass.specular_transmittance,
+                })
+            }
+            7 => Bsdf::from(Plastic {
+                eta: Indices {
+                    int_ior: self.number(1.2, 1.9),
+                    ext_ior: self.number(1.0, 1.1),
+                },
                 diffuse_reflectance: self.colour(),
                 specular_reflectance: self.colour(),
                 nonlinear: self.random.chance(0.5),
             }),
-            8 => Bsdf::Principled(self.principled()),
+            8 => self.principled().into(),
             9 => {
                 let reflectance = self.colour();
-                let front = self.add_material(Bsdf::Diffuse { reflectance });
-                let metal = Bsdf::RoughConductor(self.metal(), self.facets());
-                let back = self.add_material(metal);
+                let front = self.add_material(Diffuse { reflectance }.into());
+                let metal = rough_metal(self.metal(), self.facets());
+                let back = self.add_material(metal.into());
                 Bsdf::TwoSided { front, back }
             }
             10 => Bsdf::Mask {

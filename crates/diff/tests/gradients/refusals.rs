@@ -15,8 +15,8 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::bsdf::{Glass, PrincipledTextures};
-use capwalk_scene::lobe::Distribution;
+use capwalk_scene::lobe::{Conductor, Dielectric, Diffuse, Distribution, Principled};
+use capwalk_scene::number::Indices;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::*;
 
@@ -74,9 +74,11 @@ fn blocker_in_glass(max_depth: u32) -> Scene {
     let (mesh, normals) = rectangle(pane);
     add(&mut scene, "pane", mesh, normals, 0.0);
     let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
-    let glass = Bsdf::Dielectric(Glass {
-        int_ior: number("int_ior", 1.5),
-        ext_ior: number("ext_ior", 1.0),
+    let glass = Bsdf::from(Dielectric {
+        eta: Indices {
+            int_ior: number("int_ior", 1.5),
+            ext_ior: number("ext_ior", 1.0),
+        },
         specular_reflectance: number("reflected", 1.0),
         specular_transmittance: number("transmitted", 1.0),
     });
@@ -169,11 +171,9 @@ fn numbers_without_a_derivative() {
     let run = |base: [f64; 3], glass: f64, name: &str| {
         let mut scene = shadow_stage();
         (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
-        make(&mut scene, "floor", |n| {
-            Bsdf::Principled(PrincipledTextures {
-                base_color: n.colour("base_color", base),
-                ..n.principled(glass)
-            })
+        make(&mut scene, "floor", |n| Principled {
+            base_color: n.colour("base_color", base),
+            ..n.principled(glass)
         });
         let tangent = tangent(&scene, &format!("floor.bsdf.{name}.value"));
         refusals(&scene, &tangent).map(|reason| reason.unwrap_or_default())
@@ -295,8 +295,8 @@ fn collapsed_texture_coordinates_say_nothing() {
     add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
     make(&mut scene, "sheet", |n| {
         let mut facets = n.facets(Distribution::Ggx, 0.05);
-        facets.alpha[1] = n.number("alpha_v", 0.5);
-        Bsdf::RoughConductor(n.copper(), facets)
+        facets.alpha_v = n.number("alpha_v", 0.5);
+        rough_metal(n.copper(), facets)
     });
     let mut refused = |scale: f64| {
         let uvs = [[0, 1, 2], [0, 2, 3]].map(|face| face.map(|i| corners[i].map(|x| x * scale)));

@@ -152,22 +152,20 @@ fn constant_light() {
 fn rough_materials() {
     let mut scene = visible_cube();
     make(&mut scene, "floor", |n| {
-        let metal = Bsdf::RoughConductor(n.copper(), n.facets(Distribution::Ggx, 0.3));
+        let metal = rough_metal(n.copper(), n.facets(Distribution::Ggx, 0.3));
         let metal = n.part("metal", metal);
         Bsdf::Blend {
             weight: n.number("weight", 0.0),
             nested: [n.diffuse("paint", [0.8, 0.2, 0.1]), metal],
         }
     });
-    make(&mut scene, "thing", |n| Bsdf::Principled(n.principled(0.0)));
+    make(&mut scene, "thing", |n| n.principled(0.0));
     add_balls(&mut scene, ["glass", "plastic"]);
     make(&mut scene, "glass", |n| {
-        Bsdf::RoughDielectric(n.glass(), n.facets(Distribution::Beckmann, 0.2))
+        rough_glass(n.glass(), n.facets(Distribution::Beckmann, 0.2))
     });
-    make(&mut scene, "plastic", |n| Bsdf::RoughPlastic {
-        coat: n.coat(true),
-        distribution: Distribution::Ggx,
-        alpha: n.number("alpha", 0.2),
+    make(&mut scene, "plastic", |n| {
+        rough_plastic(n.coat(true), Distribution::Ggx, n.number("alpha", 0.2))
     });
     agree_in_both_modes("rough materials", scene, 4);
 }
@@ -178,11 +176,9 @@ fn sheets() {
     let mut scene = visible_cube();
     add_balls(&mut scene, ["plastic", "sheet"]);
     make(&mut scene, "plastic", |n| {
-        Bsdf::PolarizedPlastic(n.coat(false), n.facets(Distribution::Ggx, 0.2))
+        polarized_plastic(n.coat(false), n.facets(Distribution::Ggx, 0.2))
     });
-    make(&mut scene, "sheet", |n| {
-        Bsdf::PrincipledThin(n.principled_thin())
-    });
+    make(&mut scene, "sheet", |n| n.principled_thin());
     agree_in_both_modes("sheets", scene, 4);
 }
 
@@ -220,10 +216,10 @@ fn add_balls(scene: &mut Scene, names: [&str; 2]) {
 #[test]
 fn numbers_of_specular_materials() {
     let mut scene = visible_cube();
-    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(false)));
-    make(&mut scene, "thing", |n| Bsdf::ThinDielectric(n.glass()));
+    make(&mut scene, "floor", |n| n.coat(false));
+    make(&mut scene, "thing", |n| n.pane());
     add_balls(&mut scene, ["metal", "leaf"]);
-    make(&mut scene, "metal", |n| Bsdf::Conductor(n.copper()));
+    make(&mut scene, "metal", |n| n.copper());
     make(&mut scene, "leaf", |n| Bsdf::Mask {
         opacity: n.number("opacity", 1.0),
         nested: n.diffuse("green", [0.2, 0.7, 0.1]),
@@ -245,10 +241,10 @@ fn mirrors() {
         add(&mut scene, id, mesh, normals, 0.5);
     }
     for id in ["left", "right"] {
-        make(&mut scene, id, |n| Bsdf::Conductor(n.copper()));
+        make(&mut scene, id, |n| n.copper());
     }
-    make(&mut scene, "pane", |n| Bsdf::ThinDielectric(n.glass()));
-    make(&mut scene, "floor", |n| Bsdf::Plastic(n.coat(true)));
+    make(&mut scene, "pane", |n| n.pane());
+    make(&mut scene, "floor", |n| n.coat(true));
     agree_in_both_modes("mirrors", scene, 5);
 }
 

@@ -8,6 +8,7 @@ use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported};
 use capwalk_math::Rgb;
 use capwalk_render::{Estimate, Grid, PreparedScene, RenderOptions, Unwatched};
+use capwalk_scene::lobe::Lobe;
 use capwalk_scene::{Bsdf, Gradient, Image, Quantity, Scene, Shape, Slot, Tangent, TextureId};
 
 use crate::agreement::SMALL_EMITTERS;
@@ -49,7 +50,7 @@ pub fn all_texels(scene: &Scene) -> Tangent {
     let of_shape = |shape: &Arc<Shape>| {
         let materials = scene.materials_below(shape.bsdf).into_iter();
         let materials = materials.map(|id| &scene.material(id).bsdf);
-        let coats = materials.filter(|bsdf| matches!(bsdf, Bsdf::RoughPlastic { .. }));
+        let coats = materials.filter(|bsdf| matches!(bsdf, Bsdf::Plain(Lobe::RoughPlastic(_))));
         let others = coats.flat_map(Bsdf::slots).filter(is_other);
         let ids = others.map(|slot| scene.numbers_of(slot.texture, shape));
         ids.collect::<Vec<_>>()

@@ -8,6 +8,7 @@ use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported, unsupported_derivative};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_render::{Estimate, MotionFacts, PreparedScene, RenderOptions, Tracer, Unwatched};
+use capwalk_scene::lobe::Lobe;
 use capwalk_scene::{Bsdf, Image, Scene, ShadingNormals, ShapeVectors, Tangent};
 
 use crate::agreement::SMALL_EMITTERS;
@@ -104,7 +105,8 @@ fn interior_terms_are_those_of_the_cpu() {
     };
     let mut compared = 0;
     for (name, mut scene) in scenes::all() {
-        let is_mirror = |bsdf: &Bsdf| matches!(bsdf, Bsdf::Conductor(_) | Bsdf::Plastic(_));
+        let is_mirror =
+            |bsdf: &Bsdf| matches!(bsdf, Bsdf::Plain(Lobe::Conductor(_) | Lobe::Plastic(_)));
         let has_mirrors = scene
             .materials
             .iter()

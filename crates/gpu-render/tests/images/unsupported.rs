@@ -16,15 +16,15 @@ fn what_is_missing_is_named() {
     for (name, expected) in [
         (
             "parity/dielectric.xml",
-            "the material of shape \"block\" is a dielectric: not on the GPU yet",
+            "the material of shape \"block\" is of the type dielectric: not on the GPU yet",
         ),
         (
             "parity/maps_around_sides.xml",
-            "the material of shape \"front_pitted\" is a normal map",
+            "the material of shape \"front_pitted\" is of the type normalmap",
         ),
-        ("parity/glass_rough.xml", "is a rough dielectric"),
-        ("parity/principled.xml", "is a principled one"),
-        ("parity/mask.xml", "is a mask"),
+        ("parity/glass_rough.xml", "is of the type roughdielectric"),
+        ("parity/principled.xml", "is of the type principled"),
+        ("parity/mask.xml", "is of the type mask"),
         ("parity/point_light.xml", "is of the type point"),
         (
             "scenes/lamps_that_touch/scene.xml",

@@ -2,7 +2,7 @@
 
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::lobe::{Lobe, Side};
+use capwalk_scene::lobe::{Diffuse, Lobe, Side};
 use capwalk_scene::resolve::Constants;
 use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, ShapeId, SurfacePoint, TextureId};
 
@@ -242,7 +242,7 @@ fn sides(accel: &Accel, shape: &Shape, turns: bool) -> Option<[Option<Scattering
 /// What both sides of a material reflect, if it is diffuse.
 fn textured(scene: &Scene, id: BsdfId) -> Option<[Option<Scattering>; 2]> {
     let side = |id: BsdfId| match &scene.material(id).bsdf {
-        Bsdf::Diffuse { reflectance } => {
+        Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => {
             let texture = scene.texture(*reflectance);
             Some(match texture.is_constant() {
                 true => Scattering::Diffuse(texture.texel(0)),

@@ -3,10 +3,13 @@
 use capwalk_boundary::{Counts, Draw, Sampler};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::bsdf::{
-    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures, ThinTextures,
+use capwalk_scene::bsdf::NormalLimits;
+use capwalk_scene::lobe::{
+    Conductor, Dielectric, Diffuse, Distribution, Lobe, Microfacets, Null, Plastic,
+    PolarizedPlastic, Principled, PrincipledThin, RoughConductor, RoughDielectric, RoughPlastic,
+    ThinDielectric,
 };
-use capwalk_scene::lobe::Distribution;
+use capwalk_scene::number::{Indices, PrincipledIndex};
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
@@ -48,7 +51,7 @@ fn painted(mut scene: Scene) -> Scene {
         .materials
         .iter()
         .filter_map(|material| match material.bsdf {
-            Bsdf::Diffuse { reflectance } => Some(reflectance),
+            Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => Some(reflectance),
             _ => None,
         });
     let colours: Vec<_> = colours.collect();
@@ -192,46 +195,59 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
     let mut number = |x: f64| scene.add_texture(Texture::colour("number", Rgb::splat(x)));
     let [zero, alpha, half, one, index, extinction] =
         [0.0, 0.2, 0.5, 1.0, 1.5, 3.0].map(&mut number);
-    let metal = Metal {
+    let metal = Conductor {
         eta: half,
         k: extinction,
         specular_reflectance: one,
     };
-    let glass = Glass {
+    let eta = Indices {
         int_ior: index,
         ext_ior: one,
+    };
+    let glass = Dielectric {
+        eta,
         specular_reflectance: one,
         specular_transmittance: one,
     };
-    let coat = Coat {
-        int_ior: index,
-        ext_ior: one,
+    let facets = |distribution| Microfacets {
+        distribution,
+        alpha_u: alpha,
+        alpha_v: match distribution {
+            Distribution::Beckmann => alpha,
+            Distribution::Ggx => half,
+        },
+    };
+    let rough_metal = |distribution| RoughConductor {
+        microfacets: facets(distribution),
+        eta: metal.eta,
+        k: metal.k,
+        specular_reflectance: metal.specular_reflectance,
+    };
+    let coat = RoughPlastic {
+        distribution: Distribution::Beckmann,
+        alpha,
+        eta,
         diffuse_reflectance: half,
         specular_reflectance: one,
         nonlinear: true,
+        transmittance: (),
     };
-    let facets = |distribution| Facets {
-        distribution,
-        alpha: match distribution {
-            Distribution::Beckmann => [alpha; 2],
-            Distribution::Ggx => [alpha, half],
-        },
-    };
-    let principled = PrincipledTextures {
+    let principled = Principled {
         base_color: half,
         roughness: half,
         anisotropic: half,
         metallic: alpha,
         spec_trans: zero,
-        index: PrincipledIndex::Eta(index),
+        eta: PrincipledIndex::Eta(index),
         spec_tint: half,
         sheen: half,
         sheen_tint: half,
         flatness: half,
         clearcoat: half,
         clearcoat_gloss: half,
+        explored: (),
     };
-    let thin = ThinTextures {
+    let thin = PrincipledThin {
         base_color: half,
         roughness: half,
         anisotropic: zero,
@@ -242,22 +258,29 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
         sheen_tint: half,
         flatness: half,
         diff_trans: one,
+        explored: (),
     };
     let normals = scene.add_texture(Texture::colour("normals", Rgb::new(0.6, 0.45, 0.9)));
     let [floor, wall] = [scene.shapes[0].bsdf, scene.shapes[3].bsdf];
     let first = scene.materials.len() as u32;
     let [coated, brushed, mirror] = [0, 1, 5].map(|i| BsdfId(first + i));
     let materials = [
-        Bsdf::RoughPlastic {
-            coat,
-            distribution: Distribution::Beckmann,
-            alpha,
-        },
-        Bsdf::RoughConductor(metal, facets(Distribution::Ggx)),
-        Bsdf::Plastic(coat),
-        Bsdf::PolarizedPlastic(coat, facets(Distribution::Ggx)),
-        Bsdf::Principled(principled),
-        Bsdf::Conductor(metal),
+        Bsdf::from(coat.clone()),
+        rough_metal(Distribution::Ggx).into(),
+        Bsdf::from(Plastic {
+            eta,
+            diffuse_reflectance: half,
+            specular_reflectance: one,
+            nonlinear: true,
+        }),
+        Bsdf::from(PolarizedPlastic {
+            microfacets: facets(Distribution::Ggx),
+            eta,
+            diffuse_reflectance: half,
+            specular_reflectance: one,
+        }),
+        principled.into(),
+        metal.into(),
         Bsdf::TwoSided {
             front: brushed,
             back: coated,
@@ -266,15 +289,24 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
             weight: alpha,
             nested: [brushed, mirror],
         },
-        Bsdf::RoughDielectric(glass, facets(Distribution::Beckmann)),
-        Bsdf::PrincipledThin(thin),
+        Bsdf::from(RoughDielectric {
+            microfacets: facets(Distribution::Beckmann),
+            eta,
+            specular_reflectance: one,
+            specular_transmittance: one,
+        }),
+        thin.into(),
         // Diffuse where it is seen from behind, but the frame turns with texture coordinates.
         Bsdf::TwoSided {
             front: brushed,
             back: floor,
         },
-        Bsdf::Dielectric(glass),
-        Bsdf::ThinDielectric(glass),
+        glass.into(),
+        Bsdf::from(ThinDielectric {
+            eta,
+            specular_reflectance: one,
+            specular_transmittance: one,
+        }),
         Bsdf::Mask {
             opacity: half,
             nested: coated,
@@ -291,18 +323,17 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
                 shadowing: true,
             },
         },
-        Bsdf::Null,
+        Null::default().into(),
         // The other distributions, and a coat that is thinner inside.
-        Bsdf::RoughConductor(metal, facets(Distribution::Beckmann)),
-        Bsdf::RoughPlastic {
-            coat: Coat {
+        rough_metal(Distribution::Beckmann).into(),
+        Bsdf::from(RoughPlastic {
+            distribution: Distribution::Ggx,
+            eta: Indices {
                 int_ior: one,
                 ext_ior: index,
-                ..coat
             },
-            distribution: Distribution::Ggx,
-            alpha,
-        },
+            ..coat
+        }),
     ];
     for (i, bsdf) in materials.into_iter().enumerate() {
         let id = format!("material {i}");
@@ -464,10 +495,10 @@ fn other_scenes_are_not_for_lanes() {
     let with = |painted: fn(Scene) -> Scene| {
         let mut scene = painted(room());
         let number = scene.add_texture(Texture::colour("number", Rgb::splat(0.3)));
-        let Bsdf::Diffuse { reflectance } = scene.materials[0].bsdf else {
+        let Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) = scene.materials[0].bsdf else {
             unreachable!("floors are diffuse");
         };
-        scene.materials[0].bsdf = Bsdf::Conductor(Metal {
+        scene.materials[0].bsdf = Bsdf::from(Conductor {
             eta: number,
             k: number,
             specular_reflectance: reflectance,

@@ -4,6 +4,7 @@ use super::*;
 use crate::LoadError;
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::BsdfId;
+use capwalk_scene::lobe::Diffuse;
 use capwalk_scene::{
     Bsdf, Emitter, Filter, Integrator, Material, Optic, SamplerKind, SensorModel, ShadingNormals,
     Texture, TextureId, builtin, primitive,
@@ -126,9 +127,9 @@ fn every_setting_comes_back() {
     }
     let diffuse = |id: &str, texture: usize| Material {
         id: id.into(),
-        bsdf: Bsdf::Diffuse {
+        bsdf: Bsdf::from(Diffuse {
             reflectance: TextureId(texture as u32),
-        },
+        }),
     };
     let two_sided = |front, back| Bsdf::TwoSided {
         front: BsdfId(front),

@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::BsdfId;
-use capwalk_scene::bsdf::NormalLimits;
-use capwalk_scene::lobe::Distribution;
+use capwalk_scene::fields::Choice;
 use capwalk_scene::texture::{TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
     Bsdf, Emitter, Film, Filter, Integrator, Optic, Pattern, SamplerKind, Scene, Sensor,
@@ -236,55 +235,20 @@ impl Writer<'_> {
             }
             false => self.xml.open("bsdf", &[("type", plugin)]),
         }
-        for slot in material.bsdf.slots() {
+        let list = material.bsdf.list();
+        for slot in list.slots {
             self.slot(slot.name, slot.texture);
         }
-        self.options(&material.bsdf);
+        for (name, choice) in list.choices {
+            match choice {
+                Choice::Flag(is_so) => self.xml.property("boolean", name, is_so),
+                Choice::Word(word) => self.xml.property("string", name, word),
+            }
+        }
         for (_, part) in different_parts(&material.bsdf) {
             self.bsdf(part, false);
         }
         self.xml.close();
-    }
-
-    /// What a material has besides textures and other materials.
-    fn options(&mut self, bsdf: &Bsdf) {
-        let xml = &mut self.xml;
-        let mut distribution = |distribution: &Distribution| {
-            let name = match distribution {
-                Distribution::Beckmann => "beckmann",
-                Distribution::Ggx => "ggx",
-            };
-            xml.property("string", "distribution", name);
-        };
-        match bsdf {
-            Bsdf::RoughConductor(_, facets)
-            | Bsdf::RoughDielectric(_, facets)
-            | Bsdf::PolarizedPlastic(_, facets) => {
-                distribution(&facets.distribution);
-            }
-            Bsdf::RoughPlastic {
-                coat,
-                distribution: of_coat,
-                ..
-            } => {
-                distribution(of_coat);
-                xml.property("boolean", "nonlinear", coat.nonlinear);
-            }
-            Bsdf::Plastic(coat) => xml.property("boolean", "nonlinear", coat.nonlinear),
-            Bsdf::NormalMap { limits, .. } | Bsdf::BumpMap { limits, .. } => {
-                xml.normal_limits(limits);
-            }
-            Bsdf::Diffuse { .. }
-            | Bsdf::Conductor(_)
-            | Bsdf::Dielectric(_)
-            | Bsdf::ThinDielectric(_)
-            | Bsdf::Principled(_)
-            | Bsdf::PrincipledThin(_)
-            | Bsdf::Null
-            | Bsdf::TwoSided { .. }
-            | Bsdf::Mask { .. }
-            | Bsdf::Blend { .. } => {}
-        }
     }
 
     /// What stands in a slot: itself, or a reference if it stands alone.
@@ -445,11 +409,6 @@ impl Xml {
                 self.property("rgb", name, format!("{r}, {g}, {b}"));
             }
         }
-    }
-
-    fn normal_limits(&mut self, limits: &NormalLimits) {
-        self.property("boolean", "flip_invalid_normals", limits.flip_invalid);
-        self.property("boolean", "use_shadowing_function", limits.shadowing);
     }
 
     fn uv_transform(&mut self, to_uv: &UvTransform) {

@@ -1,34 +1,21 @@
-//! Materials, one function per plugin or two that are alike.
+//! Materials. Those that are not made of others are read by the declarations of their fields
+//! (`material_fields.rs`).
 
 use capwalk_math::Rgb;
 use capwalk_scene::BsdfId;
-use capwalk_scene::bsdf::{Coat, Facets, Glass, Metal, NormalLimits};
-use capwalk_scene::lobe::Distribution;
-use capwalk_scene::{Bsdf, Material, Quantity, Texture, TextureId};
+use capwalk_scene::bsdf::NormalLimits;
+use capwalk_scene::lobe::{Diffuse, Lobe};
+use capwalk_scene::{Bsdf, Material, Quantity, Texture};
 
 use super::lowering::Lowering;
-use super::metals;
-use super::texture::choice;
+use super::material_fields::Reading;
 use crate::fields::{Child, Fields};
-use crate::node::{Kind, NodeId, PropertyValue};
+use crate::node::{Kind, NodeId};
 use crate::problem::Problem;
-use crate::suggest::nearest;
 use crate::texts::Span;
 
-/// Values of `type` that are read.
-const BSDFS: [&str; 20] = [
-    "diffuse",
-    "conductor",
-    "roughconductor",
-    "dielectric",
-    "roughdielectric",
-    "thindielectric",
-    "plastic",
-    "roughplastic",
-    "pplastic",
-    "principled",
-    "principledthin",
-    "null",
+/// Values of `type` that are read, besides those of [`Lobe::PLUGINS`].
+const OTHERS: [&str; 8] = [
     "polarizer",
     "circular",
     "retarder",
@@ -93,33 +80,6 @@ const REFUSED: [(&str, &str); 10] = [
 /// How deep materials may stand in materials.
 const MAX_DEPTH: usize = 8;
 
-/// Refractive indices by name (Mitsuba's `ior.h`, after Hecht's "Optics").
-const INDICES: [(&str, f64); 23] = [
-    ("vacuum", 1.0),
-    ("helium", 1.000036),
-    ("hydrogen", 1.000132),
-    ("air", 1.000277),
-    ("carbon dioxide", 1.00045),
-    ("water", 1.333),
-    ("acetone", 1.36),
-    ("ethanol", 1.361),
-    ("carbon tetrachloride", 1.461),
-    ("glycerol", 1.4729),
-    ("benzene", 1.501),
-    ("silicone oil", 1.52045),
-    ("bromine", 1.661),
-    ("water ice", 1.31),
-    ("fused quartz", 1.458),
-    ("pyrex", 1.47),
-    ("acrylic glass", 1.49),
-    ("polypropylene", 1.49),
-    ("bk7", 1.5046),
-    ("sodium chloride", 1.544),
-    ("amber", 1.55),
-    ("pet", 1.575),
-    ("diamond", 2.419),
-];
-
 impl Lowering<'_> {
     /// The material of a node, made when it is first met. `otherwise` names it
     /// if it has no id.
@@ -147,35 +107,16 @@ impl Lowering<'_> {
     }
 
     fn bsdf_of_plugin(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
-        Ok(match fields.node.plugin.as_str() {
-            "diffuse" => Bsdf::Diffuse {
-                reflectance: self.slot(fields, name, "reflectance", Quantity::Reflectance, 0.5)?,
-            },
-            "conductor" => Bsdf::Conductor(self.metal(fields, name)?),
-            "roughconductor" => {
-                let facets = self.facets(fields, name)?;
-                Bsdf::RoughConductor(self.metal(fields, name)?, facets)
-            }
-            "dielectric" => Bsdf::Dielectric(self.glass(fields, name, true)?),
-            "thindielectric" => Bsdf::ThinDielectric(self.glass(fields, name, false)?),
-            "roughdielectric" => {
-                let facets = self.facets(fields, name)?;
-                Bsdf::RoughDielectric(self.glass(fields, name, false)?, facets)
-            }
-            "plastic" => Bsdf::Plastic(self.coat(fields, name)?),
-            "roughplastic" => {
-                let distribution = distribution(fields)?;
-                let alpha = self.number(fields, name, "alpha", Quantity::Roughness, 0.1)?;
-                Bsdf::RoughPlastic {
-                    coat: self.coat(fields, name)?,
-                    distribution,
-                    alpha,
-                }
-            }
-            "pplastic" => self.polarized_plastic(fields, name)?,
-            "principled" => Bsdf::Principled(self.principled(fields, name)?),
-            "principledthin" => Bsdf::PrincipledThin(self.principled_thin(fields, name)?),
-            "null" => Bsdf::Null,
+        let plugin = fields.node.plugin.as_str();
+        let reading = &mut Reading {
+            lowering: self,
+            fields,
+            name,
+        };
+        if let Some(lobe) = Lobe::read(plugin, reading) {
+            return lobe.map(Bsdf::Plain);
+        }
+        Ok(match plugin {
             "polarizer" | "circular" => self.polarization_filter(fields, name, 0.5)?,
             "retarder" => self.polarization_filter(fields, name, 1.0)?,
             "twosided" => self.two_sided(fields, name)?,
@@ -199,7 +140,7 @@ impl Lowering<'_> {
                 }
             }
             "bumpmap" => self.bump(fields, name)?,
-            _ => return Err(fields.refused_plugin(&BSDFS, &REFUSED)),
+            _ => return Err(fields.refused_plugin(&[Lobe::PLUGINS, &OTHERS].concat(), &REFUSED)),
         })
     }
 
@@ -210,138 +151,12 @@ impl Lowering<'_> {
         let texture = Texture::colour(format!("{name}.reflectance"), reflectance);
         let reflectance = self.add_texture(texture, shape);
         self.places.materials.push(shape);
-        self.add_material(name, Bsdf::Diffuse { reflectance })
+        self.add_material(name, Diffuse { reflectance }.into())
     }
 
     fn add_material(&mut self, id: String, bsdf: Bsdf) -> BsdfId {
         self.materials.push(Material { id, bsdf });
         BsdfId(self.materials.len() as u32 - 1)
-    }
-
-    fn metal(&mut self, fields: &Fields, name: &str) -> Result<Metal, Problem> {
-        fields.refuse(&["ext_eta"], &instead_of_surroundings(fields)?)?;
-        let (mut eta, mut k) = (Rgb::zero(), Rgb::splat(1.0));
-        match fields.string("material")? {
-            None | Some("none") => {}
-            Some(material) => {
-                let span = fields.span_of("material");
-                if fields.get("eta").or(fields.get("k")).is_some() {
-                    let message = "both a material and its eta or k are given";
-                    return Err(Problem::invalid(span, message).help("keep one of them"));
-                }
-                (eta, k) = metals::metal(material).ok_or_else(|| {
-                    Problem::unknown(span, format!("there is no material \"{material}\""))
-                        .help("expected a symbol such as Au, Ag, Al, Cu or Cr, or none")
-                        .near(nearest(material, metals::names()))
-                })?;
-            }
-        }
-        Ok(Metal {
-            eta: self.colour_slot(fields, name, "eta", Quantity::MetalIndex, eta)?,
-            k: self.colour_slot(fields, name, "k", Quantity::Extinction, k)?,
-            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
-        })
-    }
-
-    pub(super) fn factor(
-        &mut self,
-        fields: &Fields,
-        name: &str,
-        slot: &'static str,
-    ) -> Result<TextureId, Problem> {
-        self.slot(fields, name, slot, Quantity::Reflectance, 1.0)
-    }
-
-    pub(super) fn facets(&mut self, fields: &Fields, name: &str) -> Result<Facets, Problem> {
-        let distribution = distribution(fields)?;
-        fields.cosmetic(&["sample_visible"], "visible facets are always sampled");
-        let roughness = Quantity::Roughness;
-        let given = |slot| fields.get(slot).is_some();
-        let alpha = match (given("alpha_u"), given("alpha_v")) {
-            (false, false) => [self.number(fields, name, "alpha", roughness, 0.1)?; 2],
-            (true, true) if !given("alpha") => [
-                self.number(fields, name, "alpha_u", roughness, 0.1)?,
-                self.number(fields, name, "alpha_v", roughness, 0.1)?,
-            ],
-            _ => {
-                let span = match given("alpha_u") {
-                    true => fields.span_of("alpha_u"),
-                    false => fields.span_of("alpha_v"),
-                };
-                let message = "the roughness is given in part, or twice";
-                return Err(
-                    Problem::invalid(span, message).help("give alpha, or both alpha_u and alpha_v")
-                );
-            }
-        };
-        Ok(Facets {
-            distribution,
-            alpha,
-        })
-    }
-
-    fn glass(&mut self, fields: &Fields, name: &str, bends: bool) -> Result<Glass, Problem> {
-        let quantity = Quantity::RefractiveIndex { bends };
-        Ok(Glass {
-            int_ior: self.index(fields, name, "int_ior", quantity, "bk7")?,
-            ext_ior: self.index(fields, name, "ext_ior", quantity, "air")?,
-            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
-            specular_transmittance: self.factor(fields, name, "specular_transmittance")?,
-        })
-    }
-
-    fn coat(&mut self, fields: &Fields, name: &str) -> Result<Coat, Problem> {
-        let quantity = Quantity::RefractiveIndex { bends: false };
-        fields.cosmetic(&["sample_visible"], "visible facets are always sampled");
-        let diffuse = Quantity::Reflectance;
-        Ok(Coat {
-            int_ior: self.index(fields, name, "int_ior", quantity, "polypropylene")?,
-            ext_ior: self.index(fields, name, "ext_ior", quantity, "air")?,
-            diffuse_reflectance: self.slot(fields, name, "diffuse_reflectance", diffuse, 0.5)?,
-            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
-            nonlinear: fields.boolean("nonlinear", false)?,
-        })
-    }
-
-    /// A refractive index, as a number or by name.
-    pub(super) fn index(
-        &mut self,
-        fields: &Fields,
-        name: &str,
-        slot: &'static str,
-        quantity: Quantity,
-        default: &str,
-    ) -> Result<TextureId, Problem> {
-        let by_name = |wanted: &str| {
-            let mut known = INDICES.iter();
-            let found = known.find(|(name, _)| *name == wanted.to_lowercase());
-            found.map(|&(_, index)| index)
-        };
-        let default = by_name(default).expect("defaults are in the table");
-        let span = fields.span_of(slot);
-        if let Some(property) = fields.get(slot)
-            && let PropertyValue::String(wanted) = &property.value
-        {
-            let names = INDICES.iter().map(|(name, _)| *name);
-            let index = by_name(wanted).ok_or_else(|| {
-                Problem::unknown(
-                    span,
-                    format!("there is no refractive index of \"{wanted}\""),
-                )
-                .help("expected a number, or a name such as bk7, water or diamond")
-                .near(nearest(wanted, names))
-            })?;
-            let texture = Texture::number(format!("{name}.{slot}"), index);
-            return Ok(self.add_texture(texture, span));
-        }
-        let texture = self.number(fields, name, slot, quantity, default)?;
-        match self.textures[texture.0 as usize].is_constant() {
-            true => Ok(texture),
-            false => Err(
-                Problem::unsupported(span, format!("\"{slot}\" is a texture"))
-                    .help("a refractive index is the same everywhere; expected a number or a name"),
-            ),
-        }
     }
 
     fn two_sided(&mut self, fields: &Fields, name: &str) -> Result<Bsdf, Problem> {
@@ -424,30 +239,6 @@ impl Lowering<'_> {
             limits: normal_limits(fields)?,
         })
     }
-}
-
-/// What to do about what is around a metal and is not air.
-fn instead_of_surroundings(fields: &Fields) -> Result<String, Problem> {
-    let shown = |c: Rgb| format!("{:.5}, {:.5}, {:.5}", c.r, c.g, c.b);
-    Ok(match fields.string("material")?.and_then(metals::metal) {
-        None => "around metals is air; divide eta and k by it, and remove it".into(),
-        Some((eta, k)) => format!(
-            "around metals is air; remove it and the material, and write <rgb name=\"eta\" \
-             value=\"{}\"/> and <rgb name=\"k\" value=\"{}\"/>, with all six numbers divided \
-             by it",
-            shown(eta),
-            shown(k)
-        ),
-    })
-}
-
-fn distribution(fields: &Fields) -> Result<Distribution, Problem> {
-    Ok(
-        match choice(fields, "distribution", &["beckmann", "ggx"])? {
-            "ggx" => Distribution::Ggx,
-            _ => Distribution::Beckmann,
-        },
-    )
 }
 
 fn normal_limits(fields: &Fields) -> Result<NormalLimits, Problem> {

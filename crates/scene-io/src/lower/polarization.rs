@@ -1,6 +1,7 @@
-//! Materials for polarized light, as they are to unpolarized light.
+//! Filters for polarized light, as they are to unpolarized light.
 
-use capwalk_scene::bsdf::{Coat, Glass};
+use capwalk_scene::lobe::ThinDielectric;
+use capwalk_scene::number::Indices;
 use capwalk_scene::{Bsdf, Quantity, Texture, TextureId};
 
 use super::lowering::Lowering;
@@ -8,26 +9,6 @@ use crate::fields::Fields;
 use crate::problem::Problem;
 
 impl Lowering<'_> {
-    /// The plastic for polarized light, to unpolarized light.
-    pub(super) fn polarized_plastic(
-        &mut self,
-        fields: &Fields,
-        name: &str,
-    ) -> Result<Bsdf, Problem> {
-        fields.warn("polarization is not computed: as in Mitsuba's unpolarized variants");
-        let facets = self.facets(fields, name)?;
-        let quantity = Quantity::RefractiveIndex { bends: false };
-        let diffuse = Quantity::Reflectance;
-        let coat = Coat {
-            int_ior: self.index(fields, name, "int_ior", quantity, "polypropylene")?,
-            ext_ior: self.index(fields, name, "ext_ior", quantity, "air")?,
-            diffuse_reflectance: self.slot(fields, name, "diffuse_reflectance", diffuse, 0.5)?,
-            specular_reflectance: self.factor(fields, name, "specular_reflectance")?,
-            nonlinear: false,
-        };
-        Ok(Bsdf::PolarizedPlastic(coat, facets))
-    }
-
     /// A filter for polarized light, to unpolarized light: a pane that reflects nothing and lets
     /// `fraction` of its transmittance pass.
     pub(super) fn polarization_filter(
@@ -50,12 +31,15 @@ impl Lowering<'_> {
             let texture = Texture::number(format!("{name}.{slot}"), 1.0);
             self.add_texture(texture, span)
         };
-        Ok(Bsdf::ThinDielectric(Glass {
-            int_ior: one("int_ior"),
-            ext_ior: one("ext_ior"),
+        let pane = ThinDielectric {
+            eta: Indices {
+                int_ior: one("int_ior"),
+                ext_ior: one("ext_ior"),
+            },
             specular_reflectance: one("specular_reflectance"),
             specular_transmittance: transmittance,
-        }))
+        };
+        Ok(pane.into())
     }
 
     /// The texture that was read for the transmittance of a filter, times `fraction`. That of

@@ -32,7 +32,7 @@ const SWAPPED: &str = "is a checkerboard of numbers, whose squares Mitsuba 3.9 e
 
 impl Lowering<'_> {
     /// What stands in a slot of an object called `holder`: a texture, or one
-    /// colour, which is `default` if nothing is given.
+    /// colour, which is grey by default.
     pub(super) fn slot(
         &mut self,
         fields: &Fields,
@@ -41,18 +41,10 @@ impl Lowering<'_> {
         quantity: Quantity,
         default: f64,
     ) -> Result<TextureId, Problem> {
-        let id = format!("{holder}.{slot}");
-        if let Some(property) = fields.get(slot)
-            && let PropertyValue::Object { node, .. } = property.value
-            && self.context.graph.node(node).kind == Kind::Texture
-        {
-            return self.texture(node, &id, quantity);
-        }
-        let colour = self.colour(fields, slot, quantity, Rgb::splat(default))?;
-        Ok(self.add_texture(Texture::colour(id, colour), fields.span_of(slot)))
+        self.colour_slot(fields, holder, slot, quantity, Rgb::splat(default))
     }
 
-    /// [`Self::slot`] with a colour of any size and a colour as its default.
+    /// The same with a colour as its default.
     pub(super) fn colour_slot(
         &mut self,
         fields: &Fields,
@@ -61,15 +53,15 @@ impl Lowering<'_> {
         quantity: Quantity,
         default: Rgb,
     ) -> Result<TextureId, Problem> {
-        if fields
-            .get(slot)
-            .is_some_and(|p| matches!(p.value, PropertyValue::Object { .. }))
+        let id = format!("{holder}.{slot}");
+        if let Some(property) = fields.get(slot)
+            && let PropertyValue::Object { node, .. } = property.value
+            && self.context.graph.node(node).kind == Kind::Texture
         {
-            return self.slot(fields, holder, slot, quantity, 0.0);
+            return self.texture(node, &id, quantity);
         }
         let colour = self.colour(fields, slot, quantity, default)?;
-        let texture = Texture::colour(format!("{holder}.{slot}"), colour);
-        Ok(self.add_texture(texture, fields.span_of(slot)))
+        Ok(self.add_texture(Texture::colour(id, colour), fields.span_of(slot)))
     }
 
     /// What stands in a slot for a number: a texture, or one number. A colour

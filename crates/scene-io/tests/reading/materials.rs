@@ -2,8 +2,8 @@
 //! what is wrong with them.
 
 use capwalk_math::Rgb;
-use capwalk_scene::bsdf::PrincipledIndex;
 use capwalk_scene::lobe::{Distribution, Lobe, Side};
+use capwalk_scene::number::PrincipledIndex;
 use capwalk_scene::params::{self, ParameterKind};
 use capwalk_scene::resolve::Constants;
 use capwalk_scene::{Bsdf, Resolver, Scene, TextureId};
@@ -16,9 +16,12 @@ fn with(material: &str) -> String {
     ))
 }
 
-fn bsdf<'s>(scene: &'s Scene, id: &str) -> &'s Bsdf {
+fn lobe<'s>(scene: &'s Scene, id: &str) -> &'s Lobe<TextureId> {
     let found = scene.materials.iter().find(|m| m.id == id);
-    &found.unwrap_or_else(|| panic!("no {id}")).bsdf
+    match &found.unwrap_or_else(|| panic!("no {id}")).bsdf {
+        Bsdf::Plain(lobe) => lobe,
+        other => panic!("{other:?}"),
+    }
 }
 
 fn number(scene: &Scene, id: TextureId) -> f64 {
@@ -38,53 +41,44 @@ fn colour(scene: &Scene, id: TextureId) -> Rgb {
 fn defaults() {
     for plugin in ["dielectric", "roughdielectric", "thindielectric"] {
         let scene = load(&with(&format!("<bsdf type=\"{plugin}\"/>")));
-        let (Bsdf::Dielectric(glass)
-        | Bsdf::RoughDielectric(glass, _)
-        | Bsdf::ThinDielectric(glass)) = bsdf(&scene, "box.bsdf")
-        else {
-            panic!("{plugin}");
+        let (eta, specular_transmittance) = match lobe(&scene, "box.bsdf") {
+            Lobe::Dielectric(glass) => (glass.eta, glass.specular_transmittance),
+            Lobe::RoughDielectric(glass) => (glass.eta, glass.specular_transmittance),
+            Lobe::ThinDielectric(glass) => (glass.eta, glass.specular_transmittance),
+            other => panic!("{other:?}"),
         };
         // Mitsuba shows their quotient, 1.504183.
-        assert_eq!(number(&scene, glass.int_ior), 1.5046);
-        assert_eq!(number(&scene, glass.ext_ior), 1.000277);
-        assert_eq!(
-            colour(&scene, glass.specular_transmittance),
-            Rgb::splat(1.0)
-        );
+        assert_eq!(number(&scene, eta.int_ior), 1.5046);
+        assert_eq!(number(&scene, eta.ext_ior), 1.000277);
+        assert_eq!(colour(&scene, specular_transmittance), Rgb::splat(1.0));
     }
     let scene = load(&with("<bsdf type=\"roughplastic\"/>"));
-    let Bsdf::RoughPlastic {
-        coat,
-        distribution,
-        alpha,
-    } = bsdf(&scene, "box.bsdf")
-    else {
+    let Lobe::RoughPlastic(plastic) = lobe(&scene, "box.bsdf") else {
         panic!("roughplastic");
     };
-    assert_eq!(number(&scene, coat.int_ior), 1.49);
-    assert_eq!(colour(&scene, coat.diffuse_reflectance), Rgb::splat(0.5));
-    assert_eq!(
-        (number(&scene, *alpha), *distribution),
-        (0.1, Distribution::Beckmann)
-    );
-    assert!(!coat.nonlinear);
+    assert_eq!(number(&scene, plastic.eta.int_ior), 1.49);
+    assert_eq!(colour(&scene, plastic.diffuse_reflectance), Rgb::splat(0.5));
+    assert_eq!(number(&scene, plastic.alpha), 0.1);
+    assert_eq!(plastic.distribution, Distribution::Beckmann);
+    assert!(!plastic.nonlinear);
     let scene = load(&with("<bsdf type=\"roughconductor\"/>"));
-    let Bsdf::RoughConductor(metal, facets) = bsdf(&scene, "box.bsdf") else {
+    let Lobe::RoughConductor(metal) = lobe(&scene, "box.bsdf") else {
         panic!("roughconductor");
     };
     // Without a material it is a perfect mirror.
     assert_eq!(colour(&scene, metal.eta), Rgb::splat(0.0));
     assert_eq!(colour(&scene, metal.k), Rgb::splat(1.0));
-    assert_eq!(facets.alpha[0], facets.alpha[1]);
-    assert_eq!(number(&scene, facets.alpha[0]), 0.1);
+    let facets = metal.microfacets;
+    assert_eq!(facets.alpha_u, facets.alpha_v);
+    assert_eq!(number(&scene, facets.alpha_u), 0.1);
     let scene = load(&with("<bsdf type=\"principled\"/>"));
-    let Bsdf::Principled(principled) = bsdf(&scene, "box.bsdf") else {
+    let Lobe::Principled(principled) = lobe(&scene, "box.bsdf") else {
         panic!("principled");
     };
     assert_eq!(colour(&scene, principled.base_color), Rgb::splat(0.5));
     assert_eq!(number(&scene, principled.roughness), 0.5);
     assert_eq!(number(&scene, principled.clearcoat), 0.0);
-    let PrincipledIndex::Specular(specular) = principled.index else {
+    let PrincipledIndex::Specular(specular) = principled.eta else {
         panic!("specular");
     };
     assert_eq!(number(&scene, specular), 0.5);
@@ -95,7 +89,7 @@ fn sheets_and_materials_for_polarized_light() {
     let scene = load(&with(
         "<bsdf type=\"principledthin\"><float name=\"diff_trans\" value=\"1.4\"/></bsdf>",
     ));
-    let Bsdf::PrincipledThin(thin) = bsdf(&scene, "box.bsdf") else {
+    let Lobe::PrincipledThin(thin) = lobe(&scene, "box.bsdf") else {
         panic!("principledthin");
     };
     let numbers = [thin.diff_trans, thin.eta, thin.roughness, thin.spec_trans];
@@ -111,21 +105,24 @@ fn sheets_and_materials_for_polarized_light() {
         "<bsdf type=\"pplastic\"><float name=\"alpha\" value=\"0.3\"/></bsdf>",
         "polarization is not computed",
     );
-    let Bsdf::PolarizedPlastic(coat, facets) = bsdf(&scene, "box.bsdf") else {
+    let Lobe::PolarizedPlastic(plastic) = lobe(&scene, "box.bsdf") else {
         panic!("pplastic");
     };
-    assert_eq!(number(&scene, coat.int_ior), 1.49);
-    assert_eq!(number(&scene, facets.alpha[0]), 0.3);
+    assert_eq!(number(&scene, plastic.eta.int_ior), 1.49);
+    assert_eq!(number(&scene, plastic.microfacets.alpha_u), 0.3);
     for (plugin, passes) in [("polarizer", 0.4), ("circular", 0.4), ("retarder", 0.8)] {
         let inside =
             format!("<bsdf type=\"{plugin}\"><float name=\"transmittance\" value=\"0.8\"/></bsdf>");
         let scene = polarized(&inside, "of the light passes");
-        let Bsdf::ThinDielectric(pane) = bsdf(&scene, "box.bsdf") else {
+        let Lobe::ThinDielectric(pane) = lobe(&scene, "box.bsdf") else {
             panic!("{plugin}");
         };
         let found = colour(&scene, pane.specular_transmittance);
         assert_eq!(found, Rgb::splat(passes));
-        assert_eq!(number(&scene, pane.int_ior), number(&scene, pane.ext_ior));
+        assert_eq!(
+            number(&scene, pane.eta.int_ior),
+            number(&scene, pane.eta.ext_ior)
+        );
     }
 }
 
@@ -141,8 +138,8 @@ fn textures_of_polarizers_are_their_own() {
             &format!("<texture type=\"bitmap\" id=\"tex\">{bitmap}<integrator"),
         )
     };
-    let pane = |scene: &Scene| match bsdf(scene, "box.bsdf") {
-        Bsdf::ThinDielectric(pane) => pane.specular_transmittance,
+    let pane = |scene: &Scene| match lobe(scene, "box.bsdf") {
+        Lobe::ThinDielectric(pane) => pane.specular_transmittance,
         other => panic!("{other:?}"),
     };
     let own = format!("<texture type=\"bitmap\" name=\"transmittance\">{bitmap}");
@@ -188,7 +185,7 @@ fn negative_indices_of_metals() {
         "<bsdf type=\"conductor\"><rgb name=\"eta\" value=\"0.2 0.4 1\"/>\
          <rgb name=\"k\" value=\"-3 -2 1.5\"/></bsdf>",
     ));
-    let Bsdf::Conductor(metal) = bsdf(&scene, "box.bsdf") else {
+    let Lobe::Conductor(metal) = lobe(&scene, "box.bsdf") else {
         panic!("conductor");
     };
     assert_eq!(colour(&scene, metal.k), Rgb::new(3.0, 2.0, 1.5));
@@ -249,7 +246,7 @@ fn metals_and_indices_have_names() {
     let scene = load(&with(
         "<bsdf type=\"conductor\"><string name=\"material\" value=\"Au\"/></bsdf>",
     ));
-    let Bsdf::Conductor(metal) = bsdf(&scene, "box.bsdf") else {
+    let Lobe::Conductor(metal) = lobe(&scene, "box.bsdf") else {
         panic!("conductor");
     };
     // What Mitsuba 3.9.1 shows for gold in scalar_rgb.
@@ -263,11 +260,11 @@ fn metals_and_indices_have_names() {
         "<bsdf type=\"dielectric\"><string name=\"int_ior\" value=\"Water\"/>\
          <float name=\"ext_ior\" value=\"1.1\"/></bsdf>",
     ));
-    let Bsdf::Dielectric(glass) = bsdf(&scene, "box.bsdf") else {
+    let Lobe::Dielectric(glass) = lobe(&scene, "box.bsdf") else {
         panic!("dielectric");
     };
-    assert_eq!(number(&scene, glass.int_ior), 1.333);
-    assert_eq!(number(&scene, glass.ext_ior), 1.1);
+    assert_eq!(number(&scene, glass.eta.int_ior), 1.333);
+    assert_eq!(number(&scene, glass.eta.ext_ior), 1.1);
 }
 
 #[test]

@@ -4,6 +4,7 @@
 use std::f64::consts::PI;
 
 use capwalk_math::{Rgb, Vec3};
+use capwalk_scene::lobe::{Diffuse, Lobe};
 use capwalk_scene::{
     Bsdf, Film, Filter, Integrator, Optic, SamplerKind, Scene, SensorModel, Settings,
     ShadingNormals,
@@ -359,7 +360,7 @@ fn reflectance(value: &str) -> Rgb {
         "<shape type=\"cube\"><bsdf type=\"diffuse\">{value}</bsdf></shape>"
     )));
     match &scene.material(scene.shapes[0].bsdf).bsdf {
-        Bsdf::Diffuse { reflectance } => scene.texture(*reflectance).texel(0),
+        Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => scene.texture(*reflectance).texel(0),
         other => panic!("{other:?}"),
     }
 }
@@ -453,7 +454,7 @@ fn default_materials() {
         "<shape type=\"cube\"/><shape type=\"disk\"><emitter type=\"area\"/></shape>",
     ));
     let reflectance = |i: usize| match &scene.material(scene.shapes[i].bsdf).bsdf {
-        Bsdf::Diffuse { reflectance } => scene.texture(*reflectance).texel(0),
+        Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => scene.texture(*reflectance).texel(0),
         other => panic!("{other:?}"),
     };
     assert_eq!(reflectance(0), Rgb::splat(0.5));

@@ -2,6 +2,7 @@
 
 use capwalk_math::Rgb;
 use capwalk_scene::Bsdf;
+use capwalk_scene::lobe::{Diffuse, Lobe};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::mesh::{MeshFileError, MeshPlace};
 
@@ -80,7 +81,9 @@ fn includes_bring_objects_and_use_parameters() {
          <shape type=\"cube\"><ref id=\"red\"/></shape>",
     );
     let scene = load(&text);
-    let Bsdf::Diffuse { reflectance } = scene.material(scene.shapes[0].bsdf).bsdf else {
+    let Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) =
+        scene.material(scene.shapes[0].bsdf).bsdf
+    else {
         panic!("diffuse");
     };
     let reflectance = scene.texture(reflectance).texel(0);

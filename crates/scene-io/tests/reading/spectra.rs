@@ -3,6 +3,7 @@
 //! otherwise.
 
 use capwalk_math::Rgb;
+use capwalk_scene::lobe::{Diffuse, Lobe};
 use capwalk_scene::{Bsdf, Emitter, Pattern};
 
 use crate::common::*;
@@ -14,7 +15,7 @@ fn reflectance(property: &str) -> Rgb {
     let scene = load(&scene(&format!(
         "<bsdf type=\"diffuse\" id=\"m\">{property}</bsdf>"
     )));
-    let Bsdf::Diffuse { reflectance } = scene.materials[0].bsdf else {
+    let Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) = scene.materials[0].bsdf else {
         panic!("{:?}", scene.materials[0]);
     };
     scene.texture(reflectance).texel(0)
@@ -25,7 +26,7 @@ fn indices(properties: &str) -> [Rgb; 2] {
     let scene = load(&scene(&format!(
         "<bsdf type=\"conductor\" id=\"m\">{properties}</bsdf>"
     )));
-    let Bsdf::Conductor(metal) = &scene.materials[0].bsdf else {
+    let Bsdf::Plain(Lobe::Conductor(metal)) = &scene.materials[0].bsdf else {
         panic!("{:?}", scene.materials[0]);
     };
     [metal.eta, metal.k].map(|texture| scene.texture(texture).texel(0))

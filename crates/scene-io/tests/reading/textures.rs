@@ -1,5 +1,6 @@
 //! Textures: what they are, what meshes give them, and what is wrong with them.
 
+use capwalk_scene::lobe::{Diffuse, Lobe};
 use capwalk_scene::texture::{Bitmap, TexelFilter, Wrap};
 use capwalk_scene::{Bsdf, Pattern, Scene, Texture, params};
 
@@ -21,7 +22,7 @@ fn bitmap(properties: &str) -> String {
 /// The reflectance of the first shape.
 fn reflectance(scene: &Scene) -> &Texture {
     match scene.material(scene.shapes[0].bsdf).bsdf {
-        Bsdf::Diffuse { reflectance } => scene.texture(reflectance),
+        Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => scene.texture(reflectance),
         ref other => panic!("{other:?}"),
     }
 }

@@ -8,6 +8,7 @@ use crate::film::Film;
 use crate::filter::Filter;
 use crate::ids::{BsdfId, EmitterId, ShapeId};
 use crate::material::bsdf::{Bsdf, Material};
+use crate::material::lobe::Diffuse;
 use crate::primitive;
 use crate::scene::Scene;
 use crate::sensor::{Sensor, SensorModel};
@@ -61,7 +62,7 @@ pub fn add(
     let diffuse = |scene: &mut Scene, id: String| {
         let texture = Texture::colour(format!("{id}.reflectance"), reflectance);
         let reflectance = scene.add_texture(texture);
-        material(scene, id, Bsdf::Diffuse { reflectance })
+        material(scene, id, Diffuse { reflectance }.into())
     };
     let bsdf = match sides {
         Sides::Front => diffuse(scene, format!("{id}.bsdf")),

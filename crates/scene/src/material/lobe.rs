@@ -1,7 +1,6 @@
-//! Lobes: the ways in which a surface scatters light, as pure arithmetic. To
-//! add one: write its struct in a file of its own under `lobe/`, add a variant
-//! to [`Lobe`], follow the compiler, and add it to the table of
-//! `tests/lobes/table.rs`, which tests it.
+//! Materials that are not made of others, and lobes: the ways in which a surface
+//! scatters light, as pure arithmetic, are the same with numbers in them. Each is
+//! a file, of which `list.rs` has the list; `tests/lobes/table.rs` tests them.
 //!
 //! Formulas are those of Mitsuba 3's plugins of the same names. They differ in
 //! five places: shadowing of Beckmann's facets is the integral and not a fit
@@ -12,7 +11,7 @@
 //! [`Principled`] of nothing but glass, as in Mitsuba's vectorised variants;
 //! transmission by the facets of a [`PrincipledThin`] fades out continuously.
 //!
-//! A lobe has its numbers in it and knows nothing of textures, frames or faces.
+//! A lobe has its numbers in it; its arithmetic knows nothing of textures, frames or faces.
 //! All directions are unit vectors in the shading frame, normal `+z`, and point
 //! away from the surface: `wi` to where the path comes from (the viewer), `wo`
 //! to where it goes on (the light).
@@ -30,8 +29,7 @@
 //!
 //! # Sides
 //!
-//! One-sided lobes (everything but [`Dielectric`], [`RoughDielectric`],
-//! [`ThinDielectric`], [`Null`], [`PrincipledThin`], and a [`Principled`] that transmits) are seen
+//! One-sided lobes, all that are not [two-sided](Lobe::is_two_sided), are seen
 //! from the front: whether the face shows its front is for the caller to
 //! decide, by [`LocalBsdf::seen_from`] or by not asking. Interpolated normals can
 //! turn away from a face that is seen. Then `wi.z <= 0`, and one-sided lobes
@@ -57,47 +55,39 @@
 
 pub mod branchless;
 mod burley;
+mod coat;
 mod conductor;
 mod dielectric;
 mod diffuse;
-mod each;
-mod event;
+pub(super) mod event;
 mod fresnel;
+pub(super) mod list;
 mod local;
 mod local_bsdf;
-mod microfacets;
+pub(super) mod microfacets;
 mod null;
 mod plastic;
 mod polarized_plastic;
 mod principled;
 mod principled_thin;
+mod refraction;
 mod rough_conductor;
 mod rough_dielectric;
 mod rough_plastic;
-mod rough_surface;
-mod rough_transmittance;
+pub(super) mod rough_surface;
+pub(super) mod rough_transmittance;
 mod thin_dielectric;
 mod tilt;
 mod visible_facets;
 
-pub use conductor::Conductor;
-pub use dielectric::Dielectric;
-pub use diffuse::Diffuse;
-pub use each::Lobe;
 pub use event::{Event, Side, Specular};
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_diffuse};
+pub use list::*;
 pub use local::{cosine_pdf, sample_cosine};
 pub use local_bsdf::{BsdfDirection, BsdfSample, LocalBsdf};
 pub use microfacets::{Distribution, Microfacets, Mirrored};
-pub use null::Null;
-pub use plastic::Plastic;
-pub use polarized_plastic::PolarizedPlastic;
-pub use principled::{Explored, Principled};
-pub use principled_thin::{ExploredThin, PrincipledThin};
-pub use rough_conductor::RoughConductor;
-pub use rough_dielectric::RoughDielectric;
-pub use rough_plastic::RoughPlastic;
+pub use principled::Explored;
+pub use principled_thin::ExploredThin;
 pub use rough_surface::RoughSurface;
 pub use rough_transmittance::RoughTransmittance;
-pub use thin_dielectric::ThinDielectric;
 pub use tilt::Tilt;

@@ -4,8 +4,11 @@ use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::bsdf::{Bsdf, Coat, Facets, Glass, PrincipledIndex, PrincipledTextures, ThinTextures};
-use super::lobe::{self, Distribution, Lobe, Microfacets, RoughTransmittance, Side, Tilt};
+use super::bsdf::Bsdf;
+use super::fields::FieldMap;
+use super::lobe::{self, Lobe, Principled, RoughTransmittance, Side, Tilt};
+use super::number::{Circumstances, Derived, Indices, PrincipledIndex};
+use super::plain::RoughCoat;
 use super::traits::Composition;
 use crate::ids::{BsdfId, TextureId};
 use crate::scene::Scene;
@@ -49,7 +52,7 @@ pub struct Resolver {
 
 /// What a surface does to light at a point, to a viewer on one side.
 #[derive(Clone, Debug)]
-pub struct Resolved<R> {
+pub struct Resolved<R: Real> {
     /// The lobes, which know the side that is seen.
     pub bsdf: lobe::LocalBsdf<R>,
     /// True if the shading frame is to be turned over: the back of a two-sided
@@ -70,7 +73,12 @@ impl Resolver {
     pub fn update(&mut self, scene: &Scene) {
         let known = std::mem::take(&mut self.coats).into_iter().flatten();
         let mut known: Vec<Arc<RoughTransmittance>> = known.collect();
-        let mut table = |distribution: Distribution, alpha: f64, eta: f64| {
+        let mut table = |coat: RoughCoat| {
+            let RoughCoat {
+                distribution,
+                alpha,
+                eta,
+            } = coat;
             let mut tables = known.iter();
             if let Some(same) = tables.find(|table| table.is_for(distribution, alpha, eta)) {
                 return Arc::clone(same);
@@ -79,23 +87,11 @@ impl Resolver {
             known.push(Arc::clone(&new));
             new
         };
-        let number = |id: TextureId| scene.texture(id).texel(0).r;
-        let coats = scene
-            .materials
-            .iter()
-            .map(|material| {
-                let Bsdf::RoughPlastic {
-                    coat,
-                    distribution,
-                    alpha,
-                } = &material.bsdf
-                else {
-                    return None;
-                };
-                let eta = number(coat.int_ior) / number(coat.ext_ior);
-                Some(table(*distribution, number(*alpha), eta))
-            })
-            .collect();
+        let coats = scene.materials.iter().map(|material| match &material.bsdf {
+            Bsdf::Plain(lobe) => lobe.rough_coat(&scene.textures).map(&mut table),
+            _ => None,
+        });
+        let coats = coats.collect();
         let is_two_sided = |id| {
             let mut parts = scene.materials_below(id).into_iter();
             parts.any(|part| {
@@ -172,7 +168,7 @@ impl Resolver {
             Bsdf::Mask { opacity, nested } => {
                 let opacity = number(scene, *opacity, textures);
                 self.add(scene, *nested, side, weight * opacity, textures, parts);
-                parts.push(weight * (one - opacity), Lobe::Null(lobe::Null));
+                parts.push(weight * (one - opacity), Lobe::Null(lobe::Null::default()));
             }
             Bsdf::Blend {
                 weight: second,
@@ -214,9 +210,13 @@ impl Resolver {
                 self.add(scene, *nested, side, weight, textures, parts);
                 parts.tilt = None;
             }
-            one_sided => {
-                let coat = self.coats.get(id.0 as usize).and_then(Option::as_ref);
-                let lobe = lobe(scene, one_sided, coat, parts.is_opaque, textures);
+            Bsdf::Plain(lobe) => {
+                let lobe = lobe.mapped(&mut AtPoint {
+                    scene,
+                    textures,
+                    is_opaque: parts.is_opaque,
+                    coat: self.coats.get(id.0 as usize).and_then(Option::as_ref),
+                });
                 if side == Side::Front || lobe.is_two_sided() {
                     parts.push(weight, lobe);
                 }
@@ -237,7 +237,7 @@ impl Resolver {
 }
 
 /// What has been put together so far.
-struct Parts<'a, R> {
+struct Parts<'a, R: Real> {
     bsdf: &'a mut lobe::LocalBsdf<R>,
     flipped: bool,
     /// There is a two-sided material: nothing may transmit, whatever changes.
@@ -268,162 +268,77 @@ fn grey<R: Real>(scene: &Scene, id: TextureId, value: Rgb<R>) -> R {
     }
 }
 
-/// The lobe of a material that is not made of others. `is_opaque` if nothing may
-/// transmit, whatever changes.
-fn lobe<R: Real>(
-    scene: &Scene,
-    bsdf: &Bsdf,
-    coat_table: Option<&Arc<RoughTransmittance>>,
+/// What is known of a material at a point: its textures have values there.
+struct AtPoint<'a, T> {
+    scene: &'a Scene,
+    textures: &'a mut T,
     is_opaque: bool,
-    textures: &mut impl TexturesAt<R>,
-) -> Lobe<R> {
-    match bsdf {
-        Bsdf::Diffuse { reflectance } => Lobe::Diffuse(lobe::Diffuse {
-            reflectance: textures.value(*reflectance),
-        }),
-        Bsdf::Conductor(metal) => Lobe::Conductor(lobe::Conductor {
-            eta: textures.value(metal.eta),
-            k: textures.value(metal.k),
-            specular_reflectance: textures.value(metal.specular_reflectance),
-        }),
-        Bsdf::RoughConductor(metal, facets) => Lobe::RoughConductor(lobe::RoughConductor {
-            microfacets: microfacets(scene, facets, textures),
-            eta: textures.value(metal.eta),
-            k: textures.value(metal.k),
-            specular_reflectance: textures.value(metal.specular_reflectance),
-        }),
-        Bsdf::Dielectric(glass) => Lobe::Dielectric(lobe::Dielectric {
-            eta: relative_index(scene, glass, textures),
-            specular_reflectance: textures.value(glass.specular_reflectance),
-            specular_transmittance: textures.value(glass.specular_transmittance),
-        }),
-        Bsdf::RoughDielectric(glass, facets) => Lobe::RoughDielectric(lobe::RoughDielectric {
-            microfacets: microfacets(scene, facets, textures),
-            eta: relative_index(scene, glass, textures),
-            specular_reflectance: textures.value(glass.specular_reflectance),
-            specular_transmittance: textures.value(glass.specular_transmittance),
-        }),
-        Bsdf::ThinDielectric(glass) => Lobe::ThinDielectric(lobe::ThinDielectric {
-            eta: relative_index(scene, glass, textures),
-            specular_reflectance: textures.value(glass.specular_reflectance),
-            specular_transmittance: textures.value(glass.specular_transmittance),
-        }),
-        Bsdf::Plastic(coat) => Lobe::Plastic(lobe::Plastic {
-            eta: coat_index(scene, coat, textures),
-            diffuse_reflectance: textures.value(coat.diffuse_reflectance),
-            specular_reflectance: textures.value(coat.specular_reflectance),
-            nonlinear: coat.nonlinear,
-        }),
-        Bsdf::RoughPlastic { coat, alpha, .. } => {
-            let table = coat_table.expect("the resolver is that of the scene");
-            Lobe::RoughPlastic(lobe::RoughPlastic {
-                eta: coat_index(scene, coat, textures),
-                alpha: number(scene, *alpha, textures),
-                diffuse_reflectance: textures.value(coat.diffuse_reflectance),
-                specular_reflectance: textures.value(coat.specular_reflectance),
-                nonlinear: coat.nonlinear,
-                transmittance: Arc::clone(table),
-            })
+    coat: Option<&'a Arc<RoughTransmittance>>,
+}
+
+impl<R: Real, T: TexturesAt<R>> FieldMap<TextureId, R> for AtPoint<'_, T> {
+    #[inline]
+    fn colour(&mut self, it: &TextureId) -> Rgb<R> {
+        self.textures.value(*it)
+    }
+
+    #[inline]
+    fn number(&mut self, it: &TextureId) -> R {
+        number(self.scene, *it, self.textures)
+    }
+
+    #[inline]
+    fn indices(&mut self, it: &Indices) -> R {
+        let inside: R = self.number(&it.int_ior);
+        inside / self.number(&it.ext_ior)
+    }
+
+    #[inline]
+    fn index(&mut self, it: &PrincipledIndex) -> R {
+        match it {
+            PrincipledIndex::Eta(eta) => self.number(eta),
+            PrincipledIndex::Specular(specular) => {
+                Principled::eta_of_specular(self.number(specular))
+            }
         }
-        Bsdf::PolarizedPlastic(coat, facets) => Lobe::PolarizedPlastic(lobe::PolarizedPlastic {
-            microfacets: microfacets(scene, facets, textures),
-            eta: coat_index(scene, coat, textures),
-            diffuse_reflectance: textures.value(coat.diffuse_reflectance),
-            specular_reflectance: textures.value(coat.specular_reflectance),
-        }),
-        Bsdf::Principled(principled) => {
-            Lobe::Principled(principled_lobe(scene, principled, is_opaque, textures))
-        }
-        Bsdf::PrincipledThin(thin) => Lobe::PrincipledThin(thin_lobe(scene, thin, textures)),
-        Bsdf::Null => Lobe::Null(lobe::Null),
-        Bsdf::TwoSided { .. }
-        | Bsdf::Mask { .. }
-        | Bsdf::Blend { .. }
-        | Bsdf::NormalMap { .. }
-        | Bsdf::BumpMap { .. } => unreachable!("materials made of others are taken apart before"),
+    }
+
+    #[inline]
+    fn derived<D: Derived>(&mut self, material: &D::Of<TextureId>, _: &()) -> D {
+        let (textures, is_opaque, coat) = (&*self.textures, self.is_opaque, self.coat);
+        let may_change = |id| textures.may_change(id);
+        D::find(
+            material,
+            &Known {
+                may_change,
+                is_opaque,
+                coat,
+            },
+        )
     }
 }
 
-fn microfacets<R: Real>(
-    scene: &Scene,
-    facets: &Facets,
-    textures: &mut impl TexturesAt<R>,
-) -> Microfacets<R> {
-    let [alpha_u, alpha_v] = facets.alpha.map(|id| number(scene, id, textures));
-    Microfacets {
-        distribution: facets.distribution,
-        alpha_u,
-        alpha_v,
-    }
-}
-
-fn relative_index<R: Real>(scene: &Scene, glass: &Glass, textures: &mut impl TexturesAt<R>) -> R {
-    number(scene, glass.int_ior, textures) / number(scene, glass.ext_ior, textures)
-}
-
-fn coat_index<R: Real>(scene: &Scene, coat: &Coat, textures: &mut impl TexturesAt<R>) -> R {
-    number(scene, coat.int_ior, textures) / number(scene, coat.ext_ior, textures)
-}
-
-fn principled_lobe<R: Real>(
-    scene: &Scene,
-    principled: &PrincipledTextures,
+/// What is known there besides textures.
+struct Known<'a, F> {
+    may_change: F,
     is_opaque: bool,
-    textures: &mut impl TexturesAt<R>,
-) -> lobe::Principled<R> {
-    let base_color = textures.value(principled.base_color);
-    let glass_changes =
-        textures.may_change(principled.metallic) || textures.may_change(principled.spec_trans);
-    let coat_changes = textures.may_change(principled.clearcoat);
-    let mut number = |id| number(scene, id, textures);
-    let eta = match principled.index {
-        PrincipledIndex::Eta(eta) => number(eta),
-        PrincipledIndex::Specular(specular) => lobe::Principled::eta_of_specular(number(specular)),
-    };
-    lobe::Principled {
-        base_color,
-        roughness: number(principled.roughness),
-        anisotropic: number(principled.anisotropic),
-        metallic: number(principled.metallic),
-        spec_trans: number(principled.spec_trans),
-        eta,
-        spec_tint: number(principled.spec_tint),
-        sheen: number(principled.sheen),
-        sheen_tint: number(principled.sheen_tint),
-        flatness: number(principled.flatness),
-        clearcoat: number(principled.clearcoat),
-        clearcoat_gloss: number(principled.clearcoat_gloss),
-        explored: lobe::Explored {
-            base: glass_changes,
-            glass: glass_changes && !is_opaque,
-            coat: coat_changes,
-        },
-    }
+    coat: Option<&'a Arc<RoughTransmittance>>,
 }
 
-fn thin_lobe<R: Real>(
-    scene: &Scene,
-    thin: &ThinTextures,
-    textures: &mut impl TexturesAt<R>,
-) -> lobe::PrincipledThin<R> {
-    let explored = lobe::ExploredThin {
-        facets: textures.may_change(thin.spec_trans),
-        transmission: textures.may_change(thin.diff_trans),
-    };
-    let base_color = textures.value(thin.base_color);
-    let mut number = |id| number(scene, id, textures);
-    lobe::PrincipledThin {
-        base_color,
-        roughness: number(thin.roughness),
-        anisotropic: number(thin.anisotropic),
-        spec_trans: number(thin.spec_trans),
-        eta: number(thin.eta),
-        spec_tint: number(thin.spec_tint),
-        sheen: number(thin.sheen),
-        sheen_tint: number(thin.sheen_tint),
-        flatness: number(thin.flatness),
-        diff_trans: number(thin.diff_trans),
-        explored,
+impl<F: Fn(TextureId) -> bool> Circumstances for Known<'_, F> {
+    #[inline]
+    fn may_change(&self, id: TextureId) -> bool {
+        (self.may_change)(id)
+    }
+
+    #[inline]
+    fn is_opaque(&self) -> bool {
+        self.is_opaque
+    }
+
+    #[inline]
+    fn coat(&self) -> Option<&Arc<RoughTransmittance>> {
+        self.coat
     }
 }
 

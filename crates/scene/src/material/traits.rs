@@ -1,7 +1,9 @@
 //! What follows from a material for all who trace paths and look for boundaries.
 
-use super::bsdf::{Bsdf, NormalLimits, PrincipledTextures, ThinTextures};
-use crate::ids::{BsdfId, TextureId};
+use super::bsdf::{Bsdf, NormalLimits};
+use super::lobe::event::Event;
+use super::plain::Anisotropy;
+use crate::ids::BsdfId;
 
 /// The answers that every material must give, whatever its numbers are.
 ///
@@ -21,18 +23,6 @@ pub struct MaterialTraits {
     pub anisotropy: Anisotropy,
     /// Other materials that it is made of.
     pub composition: Composition,
-}
-
-/// Whether it matters how a material is turned about the normal.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Anisotropy {
-    /// It does not.
-    Isotropic,
-    /// It does.
-    Anisotropic,
-    /// It does where this texture is not zero; where it is, for derivatives with
-    /// respect to the texture.
-    By(TextureId),
 }
 
 /// How a material is made of others.
@@ -63,58 +53,26 @@ pub enum Composition {
 impl Bsdf {
     /// What must be known of every material.
     pub fn traits(&self) -> MaterialTraits {
-        use Anisotropy::*;
-        let plain = MaterialTraits {
+        let made_of = |composition| MaterialTraits {
             is_specular: false,
             refracts: false,
             passes_light: false,
-            is_glossy: true,
-            anisotropy: Isotropic,
-            composition: Composition::Plain,
-        };
-        let specular = MaterialTraits {
-            is_specular: true,
-            ..plain
-        };
-        let made_of = |composition| MaterialTraits {
-            composition,
             is_glossy: false,
-            ..plain
+            anisotropy: Anisotropy::Isotropic,
+            composition,
         };
         match *self {
-            Self::Diffuse { .. } => MaterialTraits {
-                is_glossy: false,
-                ..plain
-            },
-            Self::RoughPlastic { .. } => plain,
-            Self::Conductor(_) | Self::Plastic(_) => specular,
-            Self::Dielectric(_) => MaterialTraits {
-                refracts: true,
-                ..specular
-            },
-            Self::RoughConductor(_, facets)
-            | Self::RoughDielectric(_, facets)
-            | Self::PolarizedPlastic(_, facets) => MaterialTraits {
-                anisotropy: match facets.alpha[0] == facets.alpha[1] {
-                    true => Isotropic,
-                    false => Anisotropic,
-                },
-                ..plain
-            },
-            Self::ThinDielectric(_) => MaterialTraits {
-                passes_light: true,
-                ..specular
-            },
-            Self::Principled(PrincipledTextures { anisotropic, .. })
-            | Self::PrincipledThin(ThinTextures { anisotropic, .. }) => MaterialTraits {
-                anisotropy: By(anisotropic),
-                ..plain
-            },
-            Self::Null => MaterialTraits {
-                passes_light: true,
-                is_glossy: false,
-                ..plain
-            },
+            Self::Plain(ref lobe) => {
+                let has = |event| lobe.events().contains(&event);
+                MaterialTraits {
+                    is_specular: has(Event::Reflect),
+                    refracts: has(Event::Transmit),
+                    passes_light: has(Event::Pass),
+                    is_glossy: lobe.is_glossy(),
+                    anisotropy: lobe.anisotropy(),
+                    composition: Composition::Plain,
+                }
+            }
             Self::TwoSided { front, back } => made_of(Composition::Sides { front, back }),
             Self::Mask { nested, .. } => MaterialTraits {
                 passes_light: true,

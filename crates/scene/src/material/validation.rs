@@ -39,19 +39,7 @@ impl Scene {
     /// Checks what the range of each number alone does not say.
     fn check_numbers(&self, bsdf: &Bsdf) -> Result<(), &'static str> {
         match bsdf {
-            Bsdf::RoughPlastic { coat, alpha, .. } => {
-                let constants = [*alpha, coat.int_ior, coat.ext_ior];
-                if !constants.iter().all(|&id| self.texture(id).is_constant()) {
-                    return Err("a rough coat must have one roughness everywhere");
-                }
-                let [alpha, inside, outside] = constants.map(|id| self.texture(id).texel(0).r);
-                if inside == outside {
-                    return Err("a rough coat must not have the index of its outside");
-                }
-                if alpha == 0.0 {
-                    return Err("a rough coat must not be smooth; write plastic");
-                }
-            }
+            Bsdf::Plain(lobe) => lobe.check(&self.textures)?,
             Bsdf::NormalMap { normals, .. } => {
                 let normals = self.texture(*normals);
                 let no_normal = |i: usize| normals.texel(i) == Rgb::splat(0.5);
@@ -73,20 +61,7 @@ impl Scene {
                     return Err("the scale of a bump map must be one number");
                 }
             }
-            Bsdf::Diffuse { .. }
-            | Bsdf::Conductor(_)
-            | Bsdf::RoughConductor(..)
-            | Bsdf::Dielectric(_)
-            | Bsdf::RoughDielectric(..)
-            | Bsdf::ThinDielectric(_)
-            | Bsdf::Plastic(_)
-            | Bsdf::PolarizedPlastic(..)
-            | Bsdf::Principled(_)
-            | Bsdf::PrincipledThin(_)
-            | Bsdf::Null
-            | Bsdf::TwoSided { .. }
-            | Bsdf::Mask { .. }
-            | Bsdf::Blend { .. } => {}
+            Bsdf::TwoSided { .. } | Bsdf::Mask { .. } | Bsdf::Blend { .. } => {}
         }
         Ok(())
     }
@@ -141,30 +116,9 @@ impl Scene {
                     ..nested
                 }
             }
-            Bsdf::Dielectric(_)
-            | Bsdf::RoughDielectric(..)
-            | Bsdf::ThinDielectric(_)
-            | Bsdf::PrincipledThin(_) => Summary {
+            Bsdf::Plain(lobe) => Summary {
                 lobes: 1,
-                has_inside: true,
-                ..Summary::default()
-            },
-            Bsdf::Principled(principled) => {
-                let glass = &self.texture(principled.spec_trans);
-                Summary {
-                    lobes: 1,
-                    has_inside: !glass.is_constant() || glass.data.iter().any(|&x| x > 0.0),
-                    ..Summary::default()
-                }
-            }
-            Bsdf::Diffuse { .. }
-            | Bsdf::Conductor(_)
-            | Bsdf::RoughConductor(..)
-            | Bsdf::Plastic(_)
-            | Bsdf::RoughPlastic { .. }
-            | Bsdf::PolarizedPlastic(..)
-            | Bsdf::Null => Summary {
-                lobes: 1,
+                has_inside: lobe.has_inside(&self.textures),
                 ..Summary::default()
             },
         };

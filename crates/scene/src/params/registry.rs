@@ -200,7 +200,8 @@ mod tests {
     use super::super::tests::example;
     use super::*;
     use crate::ids::BsdfId;
-    use crate::material::{Bsdf, Material};
+    use crate::material::Material;
+    use crate::material::lobe::Diffuse;
     use crate::primitive;
     use crate::shape::Shape;
     use crate::texture::Texture;
@@ -221,7 +222,7 @@ mod tests {
             let reflectance = scene.add_texture(colour);
             scene.materials.push(Material {
                 id: format!("{name}.bsdf"),
-                bsdf: Bsdf::Diffuse { reflectance },
+                bsdf: Diffuse { reflectance }.into(),
             });
             let (mesh, normals) = primitive::rectangle(Affine::IDENTITY);
             scene.add_shape(Shape::new(name, mesh, normals, BsdfId(i)));

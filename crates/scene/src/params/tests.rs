@@ -4,6 +4,7 @@ use crate::film::Film;
 use crate::filter::Filter;
 use crate::ids::{BsdfId, EmitterId, ShapeId, TextureId};
 use crate::material::bsdf::{Bsdf, Material};
+use crate::material::lobe::Diffuse;
 use crate::primitive;
 use crate::scene::Scene;
 use crate::scene_vector::Tangent;
@@ -45,9 +46,9 @@ pub(super) fn example() -> Scene {
     let computed = ShadingNormals::computed(&sheet);
     let diffuse = |id: &str, reflectance| Material {
         id: id.into(),
-        bsdf: Bsdf::Diffuse {
+        bsdf: Bsdf::from(Diffuse {
             reflectance: TextureId(reflectance),
-        },
+        }),
     };
     let two_sided = |id: &str, front, back| Material {
         id: id.into(),
@@ -451,9 +452,9 @@ fn vertices_move_unless_the_mesh_would_tear() {
 fn a_shared_texture_is_one_parameter() {
     let mut scene = example();
     scene.texture_mut(TextureId(0)).id = "paint".into();
-    scene.materials[1].bsdf = Bsdf::Diffuse {
+    scene.materials[1].bsdf = Bsdf::from(Diffuse {
         reflectance: TextureId(0),
-    };
+    });
     scene.emitters[1] = Emitter::Constant {
         id: "sky".into(),
         radiance: TextureId(0),

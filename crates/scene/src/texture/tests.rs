@@ -289,7 +289,7 @@ fn shapes_must_have_what_textures_ask_for() {
     let (mut scene, [_, _, by_name]) = scene_with_attributes();
     let set = |scene: &mut Scene, id| {
         let floor = scene.shapes[0].bsdf.0 as usize;
-        scene.materials[floor].bsdf = crate::Bsdf::Diffuse { reflectance: id };
+        scene.materials[floor].bsdf = crate::lobe::Diffuse { reflectance: id }.into();
     };
     set(&mut scene, by_name);
     assert_eq!(scene.check(), Ok(()));

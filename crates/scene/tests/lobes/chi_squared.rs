@@ -42,8 +42,8 @@ fn blends_are_distributed_like_their_density() {
     for (place, (_, lobe)) in table::smooth().into_iter().step_by(3).take(3).enumerate() {
         bsdf.push([0.2, 0.5, 0.1][place], lobe);
     }
-    bsdf.push(0.4, Lobe::Null(Null));
-    for wi in table::views(&Lobe::Null(Null)) {
+    bsdf.push(0.4, Lobe::Null(Null::default()));
+    for wi in table::views(&Lobe::Null(Null::default())) {
         let p = p_value(&bsdf, wi, 77, 2);
         assert!(p > FALSE_ALARM, "wi = {wi:?}: p = {p:e}");
     }

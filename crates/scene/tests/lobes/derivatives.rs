@@ -155,7 +155,7 @@ fn lobes_of_weight_zero_are_explored() {
     for explores in [false, true] {
         let mut bsdf = LocalBsdf::default();
         bsdf.push(1.0, Lobe::Diffuse(black));
-        bsdf.push(0.0, Lobe::Null(Null));
+        bsdf.push(0.0, Lobe::Null(Null::default()));
         let bsdf = if explores { bsdf.explored() } else { bsdf };
         let wi = direction(0.6, 1.0);
         let places = (0..1000).map(|i| f64::from(i) / 1000.0);

@@ -72,7 +72,7 @@ fn white_surfaces_that_lose_nothing_give_back_all() {
             specular_reflectance: WHITE,
             specular_transmittance: WHITE,
         }),
-        Lobe::Null(Null),
+        Lobe::Null(Null::default()),
     ];
     for lobe in lobes {
         for wi in table::views(&lobe) {
@@ -142,6 +142,7 @@ fn white_plastic_gives_back_all() {
             let alpha = 0.2;
             let table = RoughTransmittance::new(Distribution::Ggx, alpha, eta);
             let rough = Lobe::RoughPlastic(RoughPlastic {
+                distribution: Distribution::Ggx,
                 eta,
                 alpha,
                 diffuse_reflectance: WHITE,

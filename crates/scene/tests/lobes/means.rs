@@ -52,7 +52,7 @@ fn mean_of_eval_over_pdf_is_the_integral_of_eval() {
 fn specular_events_have_their_probability() {
     for (name, lobe, events) in table::specular() {
         let mut bsdf = LocalBsdf::default();
-        bsdf.push(0.3, Lobe::Null(Null));
+        bsdf.push(0.3, Lobe::Null(Null::default()));
         bsdf.push(0.6, lobe.clone());
         for wi in table::views(&lobe) {
             let mut random = Random::new(9);

@@ -55,6 +55,7 @@ fn plastic(nonlinear: bool) -> Lobe {
 
 fn rough_plastic(distribution: Distribution, alpha: f64, eta: f64, nonlinear: bool) -> Lobe {
     Lobe::RoughPlastic(RoughPlastic {
+        distribution,
         eta,
         alpha,
         diffuse_reflectance: OTHER_TINT,
@@ -329,7 +330,7 @@ pub fn specular() -> Vec<(&'static str, Lobe, Vec<Event>)> {
             vec![Event::Reflect, Event::Pass],
         ),
         ("plastic", plastic(false), vec![Event::Reflect]),
-        ("null", Lobe::Null(Null), vec![Event::Pass]),
+        ("null", Lobe::Null(Null::default()), vec![Event::Pass]),
     ]
 }
 

@@ -1,9 +1,12 @@
 //! Materials for the cases.
 
-use capwalk_scene::bsdf::{
-    Coat, Facets, Glass, Metal, NormalLimits, PrincipledIndex, PrincipledTextures, ThinTextures,
+use capwalk_scene::bsdf::NormalLimits;
+use capwalk_scene::lobe::{
+    Conductor, Dielectric, Diffuse, Distribution, Lobe, Microfacets, Null, Plastic,
+    PolarizedPlastic, Principled, PrincipledThin, RoughConductor, RoughDielectric, RoughPlastic,
+    ThinDielectric,
 };
-use capwalk_scene::lobe::Distribution;
+use capwalk_scene::number::{Indices, PrincipledIndex};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
 
@@ -24,61 +27,75 @@ impl Slots<'_> {
         let id = format!("{}.{slot}", self.material);
         self.scene.add_texture(Texture::colour(id, Rgb::from(rgb)))
     }
-    pub fn copper(&mut self) -> Metal {
-        Metal {
+    pub fn copper(&mut self) -> Conductor<TextureId> {
+        Conductor {
             eta: self.colour("eta", [0.3, 0.9, 1.2]),
             k: self.colour("k", [3.3, 2.6, 2.4]),
             specular_reflectance: self.colour("specular_reflectance", [0.9, 0.8, 0.9]),
         }
     }
-    pub fn mirror(&mut self) -> Metal {
-        Metal {
+    pub fn mirror(&mut self) -> Conductor<TextureId> {
+        Conductor {
             eta: self.colour("eta", [0.0; 3]),
             k: self.colour("k", [1.0; 3]),
             specular_reflectance: self.colour("specular_reflectance", [0.9; 3]),
         }
     }
-    pub fn facets(&mut self, distribution: Distribution, alpha: f64) -> Facets {
-        Facets {
-            distribution,
-            alpha: [self.number("alpha", alpha); 2],
-        }
+    pub fn facets(&mut self, distribution: Distribution, alpha: f64) -> Microfacets<TextureId> {
+        Microfacets::isotropic(distribution, self.number("alpha", alpha))
     }
-    pub fn glass(&mut self) -> Glass {
-        Glass {
+    fn indices(&mut self) -> Indices {
+        Indices {
             int_ior: self.number("int_ior", 1.5),
             ext_ior: self.number("ext_ior", 1.0),
+        }
+    }
+    pub fn glass(&mut self) -> Dielectric<TextureId> {
+        Dielectric {
+            eta: self.indices(),
             specular_reflectance: self.colour("specular_reflectance", [1.0; 3]),
             specular_transmittance: self.colour("specular_transmittance", [0.7, 0.9, 0.8]),
         }
     }
-    pub fn coat(&mut self, nonlinear: bool) -> Coat {
-        Coat {
-            int_ior: self.number("int_ior", 1.5),
-            ext_ior: self.number("ext_ior", 1.0),
+    pub fn pane(&mut self) -> ThinDielectric<TextureId> {
+        let Dielectric {
+            eta,
+            specular_reflectance,
+            specular_transmittance,
+        } = self.glass();
+        ThinDielectric {
+            eta,
+            specular_reflectance,
+            specular_transmittance,
+        }
+    }
+    pub fn coat(&mut self, nonlinear: bool) -> Plastic<TextureId> {
+        Plastic {
+            eta: self.indices(),
             diffuse_reflectance: self.colour("diffuse_reflectance", [0.7, 0.3, 0.2]),
             specular_reflectance: self.colour("specular_reflectance", [0.9; 3]),
             nonlinear,
         }
     }
-    pub fn principled(&mut self, glass: f64) -> PrincipledTextures {
-        PrincipledTextures {
+    pub fn principled(&mut self, glass: f64) -> Principled<TextureId> {
+        Principled {
             base_color: self.colour("base_color", [0.8, 0.5, 0.3]),
             roughness: self.number("roughness", 0.5),
             anisotropic: self.number("anisotropic", 0.2),
             metallic: self.number("metallic", 0.3),
             spec_trans: self.number("spec_trans", glass),
-            index: PrincipledIndex::Eta(self.number("eta", 1.5)),
+            eta: PrincipledIndex::Eta(self.number("eta", 1.5)),
             spec_tint: self.number("spec_tint", 0.4),
             sheen: self.number("sheen", 0.6),
             sheen_tint: self.number("sheen_tint", 0.3),
             flatness: self.number("flatness", 0.2),
             clearcoat: self.number("clearcoat", 0.5),
             clearcoat_gloss: self.number("clearcoat_gloss", 0.05),
+            explored: (),
         }
     }
-    pub fn principled_thin(&mut self) -> ThinTextures {
-        ThinTextures {
+    pub fn principled_thin(&mut self) -> PrincipledThin<TextureId> {
+        PrincipledThin {
             base_color: self.colour("base_color", [0.8, 0.5, 0.3]),
             roughness: self.number("roughness", 0.6),
             anisotropic: self.number("anisotropic", 0.2),
@@ -89,22 +106,80 @@ impl Slots<'_> {
             sheen_tint: self.number("sheen_tint", 0.3),
             flatness: self.number("flatness", 0.2),
             diff_trans: self.number("diff_trans", 0.8),
+            explored: (),
         }
     }
     /// A material of its own, to be mixed.
-    pub fn part(&mut self, name: &str, bsdf: Bsdf) -> BsdfId {
+    pub fn part(&mut self, name: &str, bsdf: impl Into<Bsdf>) -> BsdfId {
+        let bsdf = bsdf.into();
         let id = format!("{}.{name}", self.material);
         self.scene.materials.push(Material { id, bsdf });
         BsdfId(self.scene.materials.len() as u32 - 1)
     }
     pub fn diffuse(&mut self, name: &str, rgb: [f64; 3]) -> BsdfId {
         let reflectance = self.colour(&format!("{name}.reflectance"), rgb);
-        self.part(name, Bsdf::Diffuse { reflectance })
+        self.part(name, Diffuse { reflectance })
+    }
+}
+
+/// A metal of microfacets.
+pub fn rough_metal(
+    metal: Conductor<TextureId>,
+    microfacets: Microfacets<TextureId>,
+) -> RoughConductor<TextureId> {
+    RoughConductor {
+        microfacets,
+        eta: metal.eta,
+        k: metal.k,
+        specular_reflectance: metal.specular_reflectance,
+    }
+}
+
+/// Glass of microfacets.
+pub fn rough_glass(
+    glass: Dielectric<TextureId>,
+    microfacets: Microfacets<TextureId>,
+) -> RoughDielectric<TextureId> {
+    RoughDielectric {
+        microfacets,
+        eta: glass.eta,
+        specular_reflectance: glass.specular_reflectance,
+        specular_transmittance: glass.specular_transmittance,
+    }
+}
+
+/// Plastic under a rough coat.
+pub fn rough_plastic(
+    plastic: Plastic<TextureId>,
+    distribution: Distribution,
+    alpha: TextureId,
+) -> RoughPlastic<TextureId> {
+    RoughPlastic {
+        distribution,
+        alpha,
+        eta: plastic.eta,
+        diffuse_reflectance: plastic.diffuse_reflectance,
+        specular_reflectance: plastic.specular_reflectance,
+        nonlinear: plastic.nonlinear,
+        transmittance: (),
+    }
+}
+
+/// The plastic of polarized light.
+pub fn polarized_plastic(
+    plastic: Plastic<TextureId>,
+    microfacets: Microfacets<TextureId>,
+) -> PolarizedPlastic<TextureId> {
+    PolarizedPlastic {
+        microfacets,
+        eta: plastic.eta,
+        diffuse_reflectance: plastic.diffuse_reflectance,
+        specular_reflectance: plastic.specular_reflectance,
     }
 }
 
 /// Gives a shape the material, on both sides if it is one that has only one.
-pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) -> Bsdf) {
+pub fn make<B: Into<Bsdf>>(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) -> B) {
     let id = format!("{shape}.bsdf");
     let place = scene.materials.iter().position(|m| m.id == id);
     let place = place.expect("the material of a shape");
@@ -112,20 +187,22 @@ pub fn make(scene: &mut Scene, shape: &str, material: impl FnOnce(&mut Slots) ->
         scene,
         material: id,
     });
+    let bsdf = bsdf.into();
     let is_clear = matches!(
         bsdf,
-        Bsdf::Dielectric(_)
-            | Bsdf::RoughDielectric(..)
-            | Bsdf::ThinDielectric(_)
-            | Bsdf::Principled(_)
-            | Bsdf::PrincipledThin(_)
-            | Bsdf::Mask { .. }
+        Bsdf::Plain(
+            Lobe::Dielectric(_)
+                | Lobe::RoughDielectric(_)
+                | Lobe::ThinDielectric(_)
+                | Lobe::Principled(_)
+                | Lobe::PrincipledThin(_)
+        ) | Bsdf::Mask { .. }
     );
     scene.materials[place].bsdf = bsdf;
     if is_clear {
         let shape = scene.shapes_mut().find(|s| s.id == shape);
         shape.expect("a shape").bsdf = BsdfId(place as u32);
-        scene.materials[place + 1].bsdf = Bsdf::Null; // not of this shape any more
+        scene.materials[place + 1].bsdf = Null::default().into(); // not of this shape any more
     }
 }
 
@@ -187,7 +264,7 @@ impl Slots<'_> {
 
     /// Half paint, half rough metal.
     pub fn glossy(&mut self) -> BsdfId {
-        let metal = Bsdf::RoughConductor(self.copper(), self.facets(Distribution::Ggx, 0.4));
+        let metal = rough_metal(self.copper(), self.facets(Distribution::Ggx, 0.4));
         let blend = Bsdf::Blend {
             weight: self.number("weight", 0.5),
             nested: [

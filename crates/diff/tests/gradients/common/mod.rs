@@ -67,7 +67,7 @@ pub fn add(scene: &mut Scene, id: &str, mesh: Mesh, normals: ShadingNormals, gre
     let reflectance = scene.add_texture(reflectance);
     scene.materials.push(Material {
         id: format!("{id}.bsdf"),
-        bsdf: Bsdf::Diffuse { reflectance },
+        bsdf: lobe::Diffuse { reflectance }.into(),
     });
     scene.materials.push(Material {
         id: format!("{id}.twosided"),

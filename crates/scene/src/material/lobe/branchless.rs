@@ -7,11 +7,11 @@ use std::f64::consts::FRAC_1_PI;
 use capwalk_math::Vec3;
 use capwalk_math::elementary::{erf_and_gaussian, exp};
 
+pub use super::coat::base_probability;
 pub use super::microfacets::Stretched;
 use super::microfacets::{
     Distribution, Microfacets, Mirrored, SHADOWLESS, beckmann_normal, ggx_normal,
 };
-pub use super::plastic::base_probability;
 
 /// [`Microfacets::visible_over_cos`].
 #[inline(always)]

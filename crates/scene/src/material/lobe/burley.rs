@@ -8,12 +8,18 @@ use capwalk_math::{Real, Rgb, Vec3};
 
 use super::local::lerp;
 use super::microfacets::{Distribution, Microfacets};
+use crate::ids::TextureId;
+use crate::material::plain::Numbers;
 
 /// Smallest roughness.
 const MIN_ALPHA: f64 = 1e-3;
 
 /// Smallest share of a part that is explored.
 const LEAST_SHARE: f64 = 0.1;
+
+/// Why sampling rates have no effect.
+pub(super) const SAMPLING_RATES: &str =
+    "directions are chosen by our own rule; the mean is the same";
 
 /// The share of a part by which it is sampled; some, if how much there is of it may have
 /// a derivative (`is_explored`).
@@ -50,6 +56,20 @@ pub(super) fn hue<R: Real>(base_color: Rgb<R>) -> Rgb<R> {
     } else {
         Rgb::splat(R::constant(1.0))
     }
+}
+
+/// The colour, if derivatives are asked for by it, it is black somewhere, and a tint takes its hue.
+pub(super) fn hue_of_black(
+    numbers: &Numbers,
+    base_color: TextureId,
+    spec_tint: TextureId,
+    [sheen, sheen_tint]: [TextureId; 2],
+) -> Option<(&'static str, &'static str)> {
+    let colours = (numbers.texture)(base_color);
+    let is_black = (0..colours.texels()).any(|i| colours.texel(i) == Rgb::zero());
+    let is_tinted = numbers.has(spec_tint) || numbers.has(sheen) && numbers.has(sheen_tint);
+    let why = "tints have its hue, and black has none";
+    ((numbers.is_asked_for)(base_color) && is_black && is_tinted).then_some(("base_color", why))
 }
 
 /// What a tinted interface reflects, by Schlick's approximation.

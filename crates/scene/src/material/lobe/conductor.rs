@@ -1,25 +1,45 @@
 //! The smooth metal.
 
 use capwalk_math::{Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
 use super::event::{Drawn, Event};
 use super::fresnel::fresnel_conductor;
 use super::local;
+use crate::ids::TextureId;
+use crate::material::fields::fields;
+use crate::material::number::Number;
+use crate::material::plain::{InScene, Plain, Samples, Scatters};
 
 /// A mirror that reflects as much as a metal does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Conductor<R = f64> {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Conductor<N: Number = f64> {
     /// Real part of the refractive index, per channel; 0 with `k` = 1 reflects all.
-    pub eta: Rgb<R>,
+    pub eta: N::Colour,
     /// Imaginary part of the refractive index, per channel.
-    pub k: Rgb<R>,
+    pub k: N::Colour,
     /// Factor on what is reflected.
-    pub specular_reflectance: Rgb<R>,
+    pub specular_reflectance: N::Colour,
 }
 
-impl<R: Real> Conductor<R> {
+fields! {
+    Conductor {
+        eta: colour(MetalIndex, 0.0),
+        k: colour(Extinction, 1.0),
+        specular_reflectance: colour(Reflectance, 1.0),
+    }
+}
+
+impl<N: Number> Plain for Conductor<N> {
+    const PLUGIN: &'static str = "conductor";
+    const EVENTS: &'static [Event] = &[Event::Reflect];
+}
+
+impl InScene for Conductor<TextureId> {}
+
+impl<R: Real> Scatters<R> for Conductor<R> {
     #[inline]
-    pub(super) fn reflect(&self, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
+    fn specular(&self, _: Event, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
         let wi = local::raised(wi);
         let reflectance = fresnel_conductor(wi.z, self.eta, self.k);
         (
@@ -27,19 +47,11 @@ impl<R: Real> Conductor<R> {
             reflectance * self.specular_reflectance,
         )
     }
-
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Conductor<S> {
-        Conductor {
-            eta: self.eta.map(&mut *f),
-            k: self.k.map(&mut *f),
-            specular_reflectance: self.specular_reflectance.map(&mut *f),
-        }
-    }
 }
 
-impl Conductor {
+impl Samples for Conductor {
     #[inline]
-    pub(super) fn sample(&self, _wi: Vec3, _choice: f64, _u: [f64; 2]) -> Option<Drawn> {
+    fn sample(&self, _: Vec3, _: f64, _: [f64; 2]) -> Option<Drawn> {
         Some(Drawn::Specular(Event::Reflect, 1.0))
     }
 }

@@ -1,22 +1,43 @@
 //! The smooth surface of a clear body.
 
 use capwalk_math::{Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
 use super::event::{Drawn, Event};
 use super::fresnel::cos_refracted;
 use super::fresnel::fresnel_dielectric;
 use super::local;
+use crate::ids::TextureId;
+use crate::material::fields::fields;
+use crate::material::number::Number;
+use crate::material::plain::{InScene, Plain, Samples, Scatters};
 
 /// Reflects and refracts at one surface; `+z` points out of the body.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Dielectric<R = f64> {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Dielectric<N: Number = f64> {
     /// Refractive index of the inside relative to the outside, `int_ior / ext_ior`.
-    pub eta: R,
+    pub eta: N::Ratio,
     /// Factor on what is reflected.
-    pub specular_reflectance: Rgb<R>,
+    pub specular_reflectance: N::Colour,
     /// Factor on what is transmitted.
-    pub specular_transmittance: Rgb<R>,
+    pub specular_transmittance: N::Colour,
 }
+
+fields! {
+    Dielectric {
+        eta: indices(RefractiveIndex { bends: true }, "bk7", "air"),
+        specular_reflectance: colour(Reflectance, 1.0),
+        specular_transmittance: colour(Transmittance, 1.0),
+    }
+}
+
+impl<N: Number> Plain for Dielectric<N> {
+    const PLUGIN: &'static str = "dielectric";
+    const EVENTS: &'static [Event] = &[Event::Reflect, Event::Transmit];
+    const IS_TWO_SIDED: bool = true;
+}
+
+impl InScene for Dielectric<TextureId> {}
 
 impl<R: Real> Dielectric<R> {
     /// The refractive index of the far side relative to the near one.
@@ -30,7 +51,7 @@ impl<R: Real> Dielectric<R> {
     }
 
     #[inline]
-    pub(super) fn reflect(&self, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
+    fn reflect(&self, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
         let reflectance = fresnel_dielectric(wi.z.abs(), self.far_over_near(wi));
         (
             local::reflected(wi),
@@ -41,7 +62,7 @@ impl<R: Real> Dielectric<R> {
     /// Radiance shrinks by `1 / eta²` when it leaves the denser side, because
     /// its cone widens. Black where everything is reflected.
     #[inline]
-    pub(super) fn transmit(&self, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
+    fn transmit(&self, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
         let eta = self.far_over_near(wi);
         let Some(cos_t) = cos_refracted(wi.z.abs(), eta) else {
             return (-wi, Rgb::zero());
@@ -53,20 +74,22 @@ impl<R: Real> Dielectric<R> {
             self.specular_transmittance * (transmittance / eta.squared()),
         )
     }
+}
 
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Dielectric<S> {
-        Dielectric {
-            eta: f(self.eta),
-            specular_reflectance: self.specular_reflectance.map(&mut *f),
-            specular_transmittance: self.specular_transmittance.map(&mut *f),
+impl<R: Real> Scatters<R> for Dielectric<R> {
+    #[inline]
+    fn specular(&self, event: Event, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
+        match event {
+            Event::Reflect => self.reflect(wi),
+            Event::Transmit | Event::Pass => self.transmit(wi),
         }
     }
 }
 
-impl Dielectric {
+impl Samples for Dielectric {
     /// Reflects with the probability that Fresnel's equations give.
     #[inline]
-    pub(super) fn sample(&self, wi: Vec3, choice: f64, _u: [f64; 2]) -> Option<Drawn> {
+    fn sample(&self, wi: Vec3, choice: f64, _: [f64; 2]) -> Option<Drawn> {
         let reflected = fresnel_dielectric(wi.z.abs(), self.far_over_near(wi));
         Some(if choice < reflected {
             Drawn::Specular(Event::Reflect, reflected)

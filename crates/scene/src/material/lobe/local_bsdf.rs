@@ -2,8 +2,8 @@
 
 use capwalk_math::{Real, Rgb, Vec3};
 
-use super::each::Lobe;
 use super::event::{Drawn, Event, Side, Specular};
+use super::list::Lobe;
 use super::rough_surface::RoughSurface;
 use super::tilt::Tilt;
 
@@ -14,7 +14,7 @@ use super::tilt::Tilt;
 /// ones count as zero), and a density is that of the whole choice. With
 /// [`LocalBsdf::explored`], lobes are chosen even at weight zero.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LocalBsdf<R = f64> {
+pub struct LocalBsdf<R: Real = f64> {
     lobes: [Option<(R, Lobe<R>)>; 4],
     /// Lobes that have normals of their own.
     tilts: [Option<Box<Tilt<R>>>; 4],

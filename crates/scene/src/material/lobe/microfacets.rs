@@ -28,10 +28,23 @@ pub enum Distribution {
     Ggx,
 }
 
+impl Distribution {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Beckmann, Self::Ggx];
+
+    /// What scene files call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Beckmann => "beckmann",
+            Self::Ggx => "ggx",
+        }
+    }
+}
+
 /// A rough surface: how the normals of its facets are distributed. The two
 /// roughnesses are root mean square slopes times √2, along x and y of the
 /// shading frame; values below 1e-4 count as 1e-4.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Microfacets<R = f64> {
     /// The shape.
     pub distribution: Distribution,
@@ -67,7 +80,7 @@ pub struct Stretched {
     pub length: f64,
 }
 
-impl<R: Real> Microfacets<R> {
+impl<R: Copy> Microfacets<R> {
     /// The same roughness in all directions.
     pub fn isotropic(distribution: Distribution, alpha: R) -> Self {
         Self {
@@ -76,7 +89,9 @@ impl<R: Real> Microfacets<R> {
             alpha_v: alpha,
         }
     }
+}
 
+impl<R: Real> Microfacets<R> {
     /// The roughnesses, where they are not too small.
     #[inline(always)]
     pub(super) fn alphas(&self) -> (R, R) {
@@ -153,15 +168,6 @@ impl<R: Real> Microfacets<R> {
     #[inline]
     pub(super) fn reflection(&self, wi: Vec3<R>, wo: Vec3<R>, h: Vec3<R>) -> R {
         self.density(h) * self.visible_over_cos(wi) * self.visible(wo) * R::constant(0.25)
-    }
-
-    /// The same with `f` of each roughness.
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Microfacets<S> {
-        Microfacets {
-            distribution: self.distribution,
-            alpha_u: f(self.alpha_u),
-            alpha_v: f(self.alpha_v),
-        }
     }
 }
 

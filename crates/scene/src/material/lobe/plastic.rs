@@ -3,56 +3,53 @@
 use std::f64::consts::FRAC_1_PI;
 
 use capwalk_math::{Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
+use super::coat::{base, base_probability, choice_weights};
 use super::event::{Drawn, Event};
 use super::fresnel::{fresnel_dielectric, fresnel_diffuse};
 use super::local;
+use crate::ids::TextureId;
+use crate::material::fields::{WithoutEffect, fields};
+use crate::material::number::Number;
+use crate::material::plain::{InScene, Plain, Samples, Scatters};
 
 /// A smooth dielectric over a diffuse base: a mirror image, and light that
 /// enters, is scattered below any number of times, and leaves.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Plastic<R = f64> {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Plastic<N: Number = f64> {
     /// Refractive index of the coat relative to the outside, `int_ior / ext_ior`.
-    pub eta: R,
+    pub eta: N::Ratio,
     /// Fraction of light reflected by the base, per channel.
-    pub diffuse_reflectance: Rgb<R>,
+    pub diffuse_reflectance: N::Colour,
     /// Factor on the mirror image.
-    pub specular_reflectance: Rgb<R>,
+    pub specular_reflectance: N::Colour,
     /// True if light that is thrown back by the coat from inside takes the
     /// colour of the base again, each time: colours get more saturated.
     pub nonlinear: bool,
 }
 
-/// What the base sends up through a coat, per light that gets to it:
-/// `diffuse / (1 - what goes round once)`.
-#[inline]
-pub(super) fn base<R: Real>(diffuse: Rgb<R>, internal_reflectance: R, nonlinear: bool) -> Rgb<R> {
-    let one = R::constant(1.0);
-    match nonlinear {
-        true => diffuse.map(|diffuse| diffuse / (one - diffuse * internal_reflectance)),
-        false => diffuse * (one / (one - internal_reflectance)),
+fields! {
+    Plastic {
+        eta: indices(RefractiveIndex { bends: false }, "polypropylene", "air"),
+        diffuse_reflectance: colour(Reflectance, 0.5),
+        specular_reflectance: colour(Reflectance, 1.0),
+        nonlinear: flag(false),
     }
 }
 
-/// Base and coat are chosen in proportion to these, times what passes the coat and what does not.
-#[inline]
-pub(super) fn choice_weights(diffuse: Rgb, specular: Rgb) -> [f64; 2] {
-    // What is black may have a derivative: it is sampled a little.
-    const LEAST_WEIGHT: f64 = 0.05;
-    [diffuse, specular].map(|colour| local::mean(colour).max(LEAST_WEIGHT))
+impl<N: Number> Plain for Plastic<N> {
+    const PLUGIN: &'static str = "plastic";
+    const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::SAMPLE_VISIBLE;
+    const EVENTS: &'static [Event] = &[Event::Reflect];
+    const HAS_SMOOTH: bool = true;
 }
 
-/// Probability of choosing the base and not the coat, which lets the fraction `transmittance` pass.
-#[inline(always)]
-pub fn base_probability(transmittance: f64, weights: [f64; 2]) -> f64 {
-    let base = transmittance * weights[0];
-    let coat = (1.0 - transmittance) * weights[1];
-    base / (base + coat)
-}
+impl InScene for Plastic<TextureId> {}
 
-impl<R: Real> Plastic<R> {
+impl<R: Real> Scatters<R> for Plastic<R> {
     #[inline]
-    pub(super) fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+    fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
         if wo.z.value() <= 0.0 {
             return Rgb::zero();
         }
@@ -66,22 +63,13 @@ impl<R: Real> Plastic<R> {
     }
 
     #[inline]
-    pub(super) fn reflect(&self, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
+    fn specular(&self, _: Event, wi: Vec3<R>) -> (Vec3<R>, Rgb<R>) {
         let wi = local::raised(wi);
         let reflectance = fresnel_dielectric(wi.z, self.eta);
         (
             local::reflected(wi),
             self.specular_reflectance * reflectance,
         )
-    }
-
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Plastic<S> {
-        Plastic {
-            eta: f(self.eta),
-            diffuse_reflectance: self.diffuse_reflectance.map(&mut *f),
-            specular_reflectance: self.specular_reflectance.map(&mut *f),
-            nonlinear: self.nonlinear,
-        }
     }
 }
 
@@ -92,10 +80,12 @@ impl Plastic {
         let weights = choice_weights(self.diffuse_reflectance, self.specular_reflectance);
         base_probability(transmittance, weights)
     }
+}
 
+impl Samples for Plastic {
     /// The mirror image or a direction by the cosine.
     #[inline]
-    pub(super) fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
+    fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
         let base = self.base_probability(wi);
         Some(if choice < base {
             Drawn::Smooth(local::sample_cosine(u))
@@ -105,7 +95,7 @@ impl Plastic {
     }
 
     #[inline]
-    pub(super) fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+    fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
         self.base_probability(wi) * local::cosine_pdf(wo)
     }
 }

@@ -5,30 +5,57 @@
 use std::f64::consts::FRAC_1_PI;
 
 use capwalk_math::{Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
+use super::coat::choice_weights;
 use super::event::Drawn;
 use super::fresnel::fresnel_dielectric;
 use super::local;
 use super::microfacets::Microfacets;
-use super::plastic::choice_weights;
+use crate::ids::TextureId;
+use crate::material::fields::{WithoutEffect, fields};
+use crate::material::number::Number;
+use crate::material::plain::{Anisotropy, InScene, Plain, Samples, Scatters};
 
 /// Clear facets, and a diffuse base below a smooth interface: light that the interface
 /// throws back from inside is lost.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PolarizedPlastic<R = f64> {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PolarizedPlastic<N: Number = f64> {
     /// The facets.
-    pub microfacets: Microfacets<R>,
+    pub microfacets: Microfacets<N>,
     /// Refractive index of the inside relative to the outside, `int_ior / ext_ior`.
-    pub eta: R,
+    pub eta: N::Ratio,
     /// Fraction of light reflected by the base, per channel.
-    pub diffuse_reflectance: Rgb<R>,
+    pub diffuse_reflectance: N::Colour,
     /// Factor on what the facets reflect.
-    pub specular_reflectance: Rgb<R>,
+    pub specular_reflectance: N::Colour,
 }
 
-impl<R: Real> PolarizedPlastic<R> {
+fields! {
+    PolarizedPlastic {
+        microfacets: facets(),
+        eta: indices(RefractiveIndex { bends: false }, "polypropylene", "air"),
+        diffuse_reflectance: colour(Reflectance, 0.5),
+        specular_reflectance: colour(Reflectance, 1.0),
+    }
+}
+
+impl<N: Number> Plain for PolarizedPlastic<N> {
+    const PLUGIN: &'static str = "pplastic";
+    const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::SAMPLE_VISIBLE;
+    const WARNING: Option<&'static str> =
+        Some("polarization is not computed: as in Mitsuba's unpolarized variants");
+}
+
+impl InScene for PolarizedPlastic<TextureId> {
+    fn anisotropy(&self) -> Anisotropy {
+        Anisotropy::of(&self.microfacets)
+    }
+}
+
+impl<R: Real> Scatters<R> for PolarizedPlastic<R> {
     #[inline]
-    pub(super) fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+    fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
         if wo.z.value() <= 0.0 {
             return Rgb::zero();
         }
@@ -42,15 +69,6 @@ impl<R: Real> PolarizedPlastic<R> {
         let base = enters * leaves * wo.z * R::constant(FRAC_1_PI);
         self.specular_reflectance * facets + self.diffuse_reflectance * base
     }
-
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> PolarizedPlastic<S> {
-        PolarizedPlastic {
-            microfacets: self.microfacets.map(f),
-            eta: f(self.eta),
-            diffuse_reflectance: self.diffuse_reflectance.map(&mut *f),
-            specular_reflectance: self.specular_reflectance.map(&mut *f),
-        }
-    }
 }
 
 impl PolarizedPlastic {
@@ -61,10 +79,12 @@ impl PolarizedPlastic {
         let [base, facets] = choice_weights(self.diffuse_reflectance, self.specular_reflectance);
         base / (base + facets)
     }
+}
 
+impl Samples for PolarizedPlastic {
     /// A direction by the cosine, or a reflection at a visible normal.
     #[inline]
-    pub(super) fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
+    fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
         if choice < self.base_probability() {
             return Some(Drawn::Smooth(local::sample_cosine(u)));
         }
@@ -74,7 +94,7 @@ impl PolarizedPlastic {
     }
 
     #[inline]
-    pub(super) fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+    fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
         if wo.z <= 0.0 {
             return 0.0;
         }

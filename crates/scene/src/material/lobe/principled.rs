@@ -1,8 +1,10 @@
 //! The principled material: many looks from few numbers.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
 use super::burley::{self, schlick, schlick_weight, share};
 use super::event::Drawn;
@@ -10,41 +12,114 @@ use super::fresnel::fresnel_dielectric;
 use super::local;
 use super::local::{lerp, mirrored, turned_outside};
 use super::microfacets::{Distribution, Microfacets};
-use super::rough_dielectric::{refracted_about, refracting_normal, transmission, transmission_pdf};
+use super::refraction::{refracted_about, refracting_normal, transmission, transmission_pdf};
+use crate::ids::TextureId;
+use crate::material::fields::{WithoutEffect, fields};
+use crate::material::number::{Circumstances, Derived, Number, PrincipledIndex};
+use crate::material::plain::{Anisotropy, InScene, Numbers, Plain, Samples, Scatters};
+use crate::texture::Texture;
 
 /// Diffuse base, metal, glass, sheen and a clear coat, blended. All numbers but
 /// `eta` are from 0 to 1.
 ///
 /// It shows something to the back only if it transmits (`spec_trans` above 0
 /// and `metallic` below 1, or `explored.glass`); from there it is glass.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Principled<R = f64> {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Principled<N: Number = f64> {
     /// The colour of base and metal.
-    pub base_color: Rgb<R>,
-    /// How rough reflection and transmission are; `alpha` is its square.
-    pub roughness: R,
-    /// How much longer highlights are along the tangent.
-    pub anisotropic: R,
-    /// How much of it is metal.
-    pub metallic: R,
-    /// How much of what is no metal is glass.
-    pub spec_trans: R,
+    pub base_color: N::Colour,
     /// Refractive index of the inside relative to the outside.
-    pub eta: R,
+    pub eta: N::Index,
+    /// How rough reflection and transmission are; `alpha` is its square.
+    pub roughness: N,
+    /// How much longer highlights are along the tangent.
+    pub anisotropic: N,
+    /// How much of it is metal.
+    pub metallic: N,
+    /// How much of what is no metal is glass.
+    pub spec_trans: N,
     /// How much reflection takes the hue of the base.
-    pub spec_tint: R,
+    pub spec_tint: N,
     /// A rim of light as on cloth.
-    pub sheen: R,
+    pub sheen: N,
     /// How much the sheen takes the hue of the base.
-    pub sheen_tint: R,
+    pub sheen_tint: N,
     /// How much the base looks as if light went through below the surface.
-    pub flatness: R,
+    pub flatness: N,
     /// A second, clear coat.
-    pub clearcoat: R,
+    pub clearcoat: N,
     /// How smooth that coat is.
-    pub clearcoat_gloss: R,
+    pub clearcoat_gloss: N,
     /// What is sampled even where there is none of it.
-    pub explored: Explored,
+    pub explored: N::Derived<Explored>,
+}
+
+fields! {
+    Principled {
+        base_color: colour(Reflectance, 0.5),
+        eta: index(0.5),
+        roughness: number(Fraction, 0.5),
+        anisotropic: number(Fraction, 0.0),
+        metallic: number(Fraction, 0.0),
+        spec_trans: number(Fraction, 0.0),
+        spec_tint: number(Fraction, 0.0),
+        sheen: number(Fraction, 0.0),
+        sheen_tint: number(Fraction, 0.0),
+        flatness: number(Fraction, 0.0),
+        clearcoat: number(Fraction, 0.0),
+        clearcoat_gloss: number(Fraction, 0.0),
+        ; explored: Explored
+    }
+}
+
+impl<N: Number> Plain for Principled<N> {
+    const PLUGIN: &'static str = "principled";
+    const WITHOUT_EFFECT: WithoutEffect = WithoutEffect {
+        names: &[
+            "main_specular_sampling_rate",
+            "clearcoat_sampling_rate",
+            "diffuse_reflectance_sampling_rate",
+        ],
+        reason: burley::SAMPLING_RATES,
+    };
+}
+
+impl InScene for Principled<TextureId> {
+    fn anisotropy(&self) -> Anisotropy {
+        Anisotropy::By(self.anisotropic)
+    }
+
+    fn has_inside(&self, textures: &[Arc<Texture>]) -> bool {
+        let glass = &textures[self.spec_trans.0 as usize];
+        !glass.is_constant() || glass.data.iter().any(|&x| x > 0.0)
+    }
+
+    fn infinite_derivative(&self, numbers: &Numbers) -> Option<(&'static str, &'static str)> {
+        if numbers.is_asked_for_at_zero(self.base_color) && numbers.has(self.spec_trans) {
+            return Some(("base_color", "glass takes its square root for a tint"));
+        }
+        let sheen = [self.sheen, self.sheen_tint];
+        burley::hue_of_black(numbers, self.base_color, self.spec_tint, sheen).or(match self.eta {
+            PrincipledIndex::Specular(specular) if numbers.is_asked_for_at_zero(specular) => {
+                Some(("specular", "the refractive index follows its square root"))
+            }
+            PrincipledIndex::Specular(_) | PrincipledIndex::Eta(_) => None,
+        })
+    }
+}
+
+impl Derived for Explored {
+    type Of<N: Number> = Principled<N>;
+
+    #[inline]
+    fn find(principled: &Principled<TextureId>, at: &impl Circumstances) -> Self {
+        let base = at.may_change(principled.metallic) || at.may_change(principled.spec_trans);
+        Self {
+            base,
+            glass: base && !at.is_opaque(),
+            coat: at.may_change(principled.clearcoat),
+        }
+    }
 }
 
 /// Parts of a [`Principled`] that are sampled even where there are none of them:
@@ -57,6 +132,34 @@ pub struct Explored {
     pub glass: bool,
     /// The clear coat.
     pub coat: bool,
+}
+
+impl<R: Real> Scatters<R> for Principled<R> {
+    #[inline]
+    fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+        let (wi, wo, eta, front) = self.turned(wi, wo);
+        let facets = self.facets();
+        if wo.z.value() <= 0.0 {
+            let Some(h) = refracting_normal(wi, wo, eta).filter(|_| self.is_two_sided()) else {
+                return Rgb::zero();
+            };
+            let passes = self.glass() * transmission(&facets, wi, wo, h, eta);
+            return self.base_color.map(root) * passes;
+        }
+        let h = (wi + wo).normalized();
+        let cos_h = wi.dot(h);
+        let reflectance = self.reflectance(cos_h, eta, front);
+        let specular = reflectance * facets.reflection(wi, wo, h);
+        if !front {
+            return specular;
+        }
+        specular + self.diffuse(wi, wo, cos_h) + Rgb::splat(self.coat(wi, wo, h))
+    }
+
+    #[inline]
+    fn is_two_sided(&self) -> bool {
+        self.explored.glass || self.glass().value() > 0.0
+    }
 }
 
 impl<R: Real> Principled<R> {
@@ -87,10 +190,6 @@ impl<R: Real> Principled<R> {
         (R::constant(1.0) - self.metallic) * self.spec_trans
     }
 
-    pub(super) fn is_two_sided(&self) -> bool {
-        self.explored.glass || self.glass().value() > 0.0
-    }
-
     /// Directions and refractive index with `wi` in front; true if that is the
     /// front of the surface.
     #[inline]
@@ -101,27 +200,6 @@ impl<R: Real> Principled<R> {
         let front = wi.z.value() >= 0.0;
         let (wi, wo, eta) = turned_outside(wi, wo, self.eta);
         (wi, wo, eta, front)
-    }
-
-    #[inline]
-    pub(super) fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
-        let (wi, wo, eta, front) = self.turned(wi, wo);
-        let facets = self.facets();
-        if wo.z.value() <= 0.0 {
-            let Some(h) = refracting_normal(wi, wo, eta).filter(|_| self.is_two_sided()) else {
-                return Rgb::zero();
-            };
-            let passes = self.glass() * transmission(&facets, wi, wo, h, eta);
-            return self.base_color.map(root) * passes;
-        }
-        let h = (wi + wo).normalized();
-        let cos_h = wi.dot(h);
-        let reflectance = self.reflectance(cos_h, eta, front);
-        let specular = reflectance * facets.reflection(wi, wo, h);
-        if !front {
-            return specular;
-        }
-        specular + self.diffuse(wi, wo, cos_h) + Rgb::splat(self.coat(wi, wo, h))
     }
 
     /// What the facets reflect: Fresnel's equations for the dielectric, blended
@@ -169,24 +247,6 @@ impl<R: Real> Principled<R> {
     #[inline]
     fn coat_alpha(&self) -> R {
         lerp(R::constant(0.1), R::constant(0.001), self.clearcoat_gloss)
-    }
-
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> Principled<S> {
-        Principled {
-            base_color: self.base_color.map(&mut *f),
-            roughness: f(self.roughness),
-            anisotropic: f(self.anisotropic),
-            metallic: f(self.metallic),
-            spec_trans: f(self.spec_trans),
-            eta: f(self.eta),
-            spec_tint: f(self.spec_tint),
-            sheen: f(self.sheen),
-            sheen_tint: f(self.sheen_tint),
-            flatness: f(self.flatness),
-            clearcoat: f(self.clearcoat),
-            clearcoat_gloss: f(self.clearcoat_gloss),
-            explored: self.explored,
-        }
     }
 }
 
@@ -256,9 +316,11 @@ impl Principled {
             passes
         }
     }
+}
 
+impl Samples for Principled {
     #[inline]
-    pub(super) fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
+    fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
         let inside = self.is_two_sided() && wi.z < 0.0;
         let (wi, _, eta, front) = self.turned(wi, wi);
         let chances = self.chances(front);
@@ -280,7 +342,7 @@ impl Principled {
     }
 
     #[inline]
-    pub(super) fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+    fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
         let (wi, wo, eta, front) = self.turned(wi, wo);
         let chances = self.chances(front);
         let facets = self.facets();

@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_1_PI;
 
 use capwalk_math::{Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
 use super::burley::{self, share};
 use super::event::Drawn;
@@ -10,33 +11,90 @@ use super::fresnel::fresnel_dielectric;
 use super::local;
 use super::local::{lerp, mirrored, raised};
 use super::microfacets::Microfacets;
+use crate::ids::TextureId;
+use crate::material::fields::{WithoutEffect, fields};
+use crate::material::number::{Circumstances, Derived, Number};
+use crate::material::plain::{Anisotropy, InScene, Numbers, Plain, Samples, Scatters};
 
 /// Diffuse reflection and transmission, sheen, and clear facets, blended; the same seen from
 /// both sides. All numbers but `eta` and `diff_trans` are from 0 to 1.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PrincipledThin<R = f64> {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PrincipledThin<N: Number = f64> {
     /// The colour of the base, and of what passes the facets.
-    pub base_color: Rgb<R>,
+    pub base_color: N::Colour,
     /// How rough reflection and transmission are.
-    pub roughness: R,
+    pub roughness: N,
     /// How much longer highlights are along the tangent.
-    pub anisotropic: R,
+    pub anisotropic: N,
     /// How much of it is facets.
-    pub spec_trans: R,
+    pub spec_trans: N,
     /// Refractive index relative to the outside.
-    pub eta: R,
+    pub eta: N,
     /// How much reflection takes the hue of the base.
-    pub spec_tint: R,
+    pub spec_tint: N,
     /// A rim of light as on cloth.
-    pub sheen: R,
+    pub sheen: N,
     /// How much the sheen takes the hue of the base.
-    pub sheen_tint: R,
+    pub sheen_tint: N,
     /// How much the base looks as if light went through below the surface.
-    pub flatness: R,
+    pub flatness: N,
     /// Twice the part of the diffuse light that is transmitted.
-    pub diff_trans: R,
+    pub diff_trans: N,
     /// What is sampled even where there is none of it.
-    pub explored: ExploredThin,
+    pub explored: N::Derived<ExploredThin>,
+}
+
+fields! {
+    PrincipledThin {
+        base_color: colour(Reflectance, 0.5),
+        roughness: number(Fraction, 0.5),
+        anisotropic: number(Fraction, 0.0),
+        spec_trans: number(Fraction, 0.0),
+        eta: number(RefractiveIndex { bends: false }, 1.5),
+        spec_tint: number(Fraction, 0.0),
+        sheen: number(Fraction, 0.0),
+        sheen_tint: number(Fraction, 0.0),
+        flatness: number(Fraction, 0.0),
+        diff_trans: number(TwiceFraction, 0.0),
+        ; explored: ExploredThin
+    }
+}
+
+impl<N: Number> Plain for PrincipledThin<N> {
+    const PLUGIN: &'static str = "principledthin";
+    const WITHOUT_EFFECT: WithoutEffect = WithoutEffect {
+        names: &[
+            "specular_reflectance_sampling_rate",
+            "specular_transmittance_sampling_rate",
+            "diffuse_transmittance_sampling_rate",
+            "diffuse_reflectance_sampling_rate",
+        ],
+        reason: burley::SAMPLING_RATES,
+    };
+    const IS_TWO_SIDED: bool = true;
+}
+
+impl InScene for PrincipledThin<TextureId> {
+    fn anisotropy(&self) -> Anisotropy {
+        Anisotropy::By(self.anisotropic)
+    }
+
+    fn infinite_derivative(&self, numbers: &Numbers) -> Option<(&'static str, &'static str)> {
+        let sheen = [self.sheen, self.sheen_tint];
+        burley::hue_of_black(numbers, self.base_color, self.spec_tint, sheen)
+    }
+}
+
+impl Derived for ExploredThin {
+    type Of<N: Number> = PrincipledThin<N>;
+
+    #[inline]
+    fn find(thin: &PrincipledThin<TextureId>, at: &impl Circumstances) -> Self {
+        Self {
+            facets: at.may_change(thin.spec_trans),
+            transmission: at.may_change(thin.diff_trans),
+        }
+    }
 }
 
 /// Parts of a [`PrincipledThin`] that are sampled even where there are none of them: how
@@ -70,9 +128,11 @@ impl<R: Real> PrincipledThin<R> {
         let scale = R::constant(0.65) * self.eta - R::constant(0.35);
         burley::facets(scale * self.roughness, self.anisotropic)
     }
+}
 
+impl<R: Real> Scatters<R> for PrincipledThin<R> {
     #[inline]
-    pub(super) fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+    fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
         let (wi, wo) = turned(wi, wo);
         let one = R::constant(1.0);
         let half = R::constant(0.5);
@@ -98,22 +158,6 @@ impl<R: Real> PrincipledThin<R> {
         let sheen = burley::sheen(self.base_color, self.sheen_tint, wo, cos_h) * self.sheen;
         let diffuse = self.base_color * white + sheen;
         reflectance * facets + diffuse * (base * (one - half * self.diff_trans))
-    }
-
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> PrincipledThin<S> {
-        PrincipledThin {
-            base_color: self.base_color.map(&mut *f),
-            roughness: f(self.roughness),
-            anisotropic: f(self.anisotropic),
-            spec_trans: f(self.spec_trans),
-            eta: f(self.eta),
-            spec_tint: f(self.spec_tint),
-            sheen: f(self.sheen),
-            sheen_tint: f(self.sheen_tint),
-            flatness: f(self.flatness),
-            diff_trans: f(self.diff_trans),
-            explored: self.explored,
-        }
     }
 }
 
@@ -159,9 +203,11 @@ impl PrincipledThin {
             base_transmits: base * passes / sum,
         }
     }
+}
 
+impl Samples for PrincipledThin {
     #[inline]
-    pub(super) fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
+    fn sample(&self, wi: Vec3, choice: f64, u: [f64; 2]) -> Option<Drawn> {
         let inside = wi.z < 0.0;
         let wi = raised(wi);
         let chances = self.chances();
@@ -187,7 +233,7 @@ impl PrincipledThin {
     }
 
     #[inline]
-    pub(super) fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+    fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
         let (wi, wo) = turned(wi, wo);
         let chances = self.chances();
         let up = raised(wo);

@@ -1,28 +1,54 @@
 //! The rough metal.
 
 use capwalk_math::{Real, Rgb, Vec3};
+use serde::{Deserialize, Serialize};
 
 use super::event::Drawn;
 use super::fresnel::fresnel_conductor;
 use super::local;
 use super::microfacets::Microfacets;
+use super::rough_surface::RoughSurface;
+use crate::ids::TextureId;
+use crate::material::fields::{WithoutEffect, fields};
+use crate::material::number::Number;
+use crate::material::plain::{Anisotropy, InScene, Plain, Samples, Scatters};
 
 /// Metal mirrors as microfacets.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RoughConductor<R = f64> {
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct RoughConductor<N: Number = f64> {
     /// The roughness.
-    pub microfacets: Microfacets<R>,
+    pub microfacets: Microfacets<N>,
     /// Real part of the refractive index, per channel; 0 with `k` = 1 reflects all.
-    pub eta: Rgb<R>,
+    pub eta: N::Colour,
     /// Imaginary part of the refractive index, per channel.
-    pub k: Rgb<R>,
+    pub k: N::Colour,
     /// Factor on what is reflected.
-    pub specular_reflectance: Rgb<R>,
+    pub specular_reflectance: N::Colour,
 }
 
-impl<R: Real> RoughConductor<R> {
+fields! {
+    RoughConductor {
+        microfacets: facets(),
+        eta: colour(MetalIndex, 0.0),
+        k: colour(Extinction, 1.0),
+        specular_reflectance: colour(Reflectance, 1.0),
+    }
+}
+
+impl<N: Number> Plain for RoughConductor<N> {
+    const PLUGIN: &'static str = "roughconductor";
+    const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::SAMPLE_VISIBLE;
+}
+
+impl InScene for RoughConductor<TextureId> {
+    fn anisotropy(&self) -> Anisotropy {
+        Anisotropy::of(&self.microfacets)
+    }
+}
+
+impl<R: Real> Scatters<R> for RoughConductor<R> {
     #[inline]
-    pub(super) fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+    fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
         if wo.z.value() <= 0.0 {
             return Rgb::zero();
         }
@@ -31,29 +57,20 @@ impl<R: Real> RoughConductor<R> {
         let reflectance = fresnel_conductor(wi.dot(h), self.eta, self.k);
         reflectance * self.specular_reflectance * self.microfacets.reflection(wi, wo, h)
     }
-
-    pub(super) fn map<S: Real>(&self, f: &mut impl FnMut(R) -> S) -> RoughConductor<S> {
-        RoughConductor {
-            microfacets: self.microfacets.map(f),
-            eta: self.eta.map(&mut *f),
-            k: self.k.map(&mut *f),
-            specular_reflectance: self.specular_reflectance.map(&mut *f),
-        }
-    }
 }
 
-impl RoughConductor {
+impl Samples for RoughConductor {
     /// Reflects at a visible normal; `None` if that leads below the surface,
     /// to another facet that the model does not follow.
     #[inline]
-    pub(super) fn sample(&self, wi: Vec3, _choice: f64, u: [f64; 2]) -> Option<Drawn> {
+    fn sample(&self, wi: Vec3, _: f64, u: [f64; 2]) -> Option<Drawn> {
         let wi = local::raised(wi);
         let wo = local::reflected_about(wi, self.microfacets.sample(wi, u));
         (wo.z > 0.0).then_some(Drawn::Smooth(wo))
     }
 
     #[inline]
-    pub(super) fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
+    fn pdf(&self, wi: Vec3, wo: Vec3) -> f64 {
         if wo.z <= 0.0 {
             return 0.0;
         }
@@ -61,9 +78,8 @@ impl RoughConductor {
         self.microfacets.reflection_pdf(wi, (wi + wo).normalized())
     }
 
-    /// [`RoughConductor::eval`] and [`RoughConductor::pdf`].
     #[inline]
-    pub(super) fn eval_and_pdf(&self, wi: Vec3, wo: Vec3) -> (Rgb, f64) {
+    fn eval_and_pdf(&self, wi: Vec3, wo: Vec3) -> (Rgb, f64) {
         if wo.z <= 0.0 {
             return (Rgb::zero(), 0.0);
         }
@@ -71,5 +87,15 @@ impl RoughConductor {
         let reflectance = fresnel_conductor(mirrored.cos, self.eta, self.k);
         let colour = reflectance * self.specular_reflectance;
         (colour * mirrored.scattered, mirrored.pdf)
+    }
+
+    fn rough_surface(&self, weight: f64) -> Option<RoughSurface> {
+        let colour = self.specular_reflectance * weight;
+        Some(RoughSurface::metal_of(
+            self.microfacets,
+            colour,
+            self.eta,
+            self.k,
+        ))
     }
 }

@@ -1,18 +1,14 @@
 //! Rough metal and rough plastic as plain numbers, for computing many at a time.
 
-use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
 
 use capwalk_math::Rgb;
 
 use super::branchless::fresnel_conductor;
 use super::microfacets::Microfacets;
-use super::plastic::{base, choice_weights};
-use super::rough_conductor::RoughConductor;
-use super::rough_plastic::RoughPlastic;
 use super::rough_transmittance::RoughTransmittance;
 
-/// A [`RoughConductor`] or a [`RoughPlastic`], whose facets decide everything but a diffuse base,
+/// A [rough metal](super::RoughConductor) or a [rough plastic](super::RoughPlastic), whose facets decide everything but a diffuse base,
 /// with its weight. A metal has a base that is black.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RoughSurface {
@@ -39,39 +35,34 @@ enum Kind {
 }
 
 impl RoughSurface {
-    pub(super) fn metal_of(weight: f64, metal: &RoughConductor) -> Self {
+    /// A metal.
+    pub(super) fn metal_of(facets: Microfacets, specular: Rgb, eta: Rgb, k: Rgb) -> Self {
         Self {
-            facets: metal.microfacets,
-            specular: metal.specular_reflectance * weight,
+            facets,
+            specular,
             eta2: 1.0,
             base: Rgb::zero(),
             choice_weights: [0.0, 1.0],
-            kind: Kind::Metal([metal.eta, metal.k].map(|Rgb { r, g, b }| [r, g, b, b])),
+            kind: Kind::Metal([eta, k].map(|Rgb { r, g, b }| [r, g, b, b])),
         }
     }
 
-    pub(super) fn plastic_of(weight: f64, plastic: &RoughPlastic) -> Self {
-        let RoughPlastic {
-            eta,
-            diffuse_reflectance,
-            specular_reflectance,
-            nonlinear,
-            ..
-        } = *plastic;
-        let base = base(
-            diffuse_reflectance,
-            plastic.internal_reflectance(),
-            nonlinear,
-        );
-        let eta2 = eta * eta;
+    /// A coat, through which the fractions in a table pass.
+    pub(super) fn coat_of(
+        facets: Microfacets,
+        specular: Rgb,
+        eta2: f64,
+        base: Rgb,
+        choice_weights: [f64; 2],
+        passes: Arc<RoughTransmittance>,
+    ) -> Self {
         Self {
-            facets: plastic.facets(),
-            specular: specular_reflectance * weight,
+            facets,
+            specular,
             eta2,
-            // Radiance shrinks by `1 / eta²` on the way out.
-            base: base * (weight * FRAC_1_PI / eta2),
-            choice_weights: choice_weights(diffuse_reflectance, specular_reflectance),
-            kind: Kind::Plastic(Arc::clone(&plastic.transmittance)),
+            base,
+            choice_weights,
+            kind: Kind::Plastic(passes),
         }
     }
 

@@ -6,7 +6,7 @@ use capwalk_math::Vec3;
 use super::fresnel::fresnel_dielectric;
 use super::local;
 use super::microfacets::Distribution;
-use super::rough_dielectric::refracted_about;
+use super::refraction::refracted_about;
 use super::visible_facets::VisibleFacets;
 
 /// Cosines in the table, from 0 to 1, as many as in Mitsuba.

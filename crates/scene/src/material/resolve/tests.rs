@@ -1,7 +1,9 @@
 use super::*;
 use crate::ids::ShapeId;
-use crate::material::bsdf::{Material, Metal, NormalLimits};
-use crate::material::lobe::Distribution;
+use crate::material::bsdf::{Material, NormalLimits};
+use crate::material::lobe::{
+    Dielectric, Diffuse, Distribution, Microfacets, RoughConductor, RoughPlastic,
+};
 use crate::shape::Shape;
 use crate::texture::{Bitmap, Pattern, TexelFilter, Texture, UvTransform, Wrap};
 use capwalk_math::{Affine, Dual};
@@ -35,26 +37,29 @@ impl Materials {
         let mut it = Self(scene);
         for reflectance in [[0.1, 0.2, 0.3], [0.5, 0.6, 0.7]] {
             let reflectance = it.texture(Texture::colour("c", reflectance.into()));
-            it.add(Bsdf::Diffuse { reflectance });
+            it.add(Diffuse { reflectance });
         }
         let white = it.texture(Texture::colour("white", Rgb::splat(1.0)));
-        let glass = Glass {
-            int_ior: it.number(1.5),
-            ext_ior: it.number(1.2),
+        let glass = Dielectric {
+            eta: Indices {
+                int_ior: it.number(1.5),
+                ext_ior: it.number(1.2),
+            },
             specular_reflectance: white,
             specular_transmittance: white,
         };
-        it.add(Bsdf::Dielectric(glass));
-        let metal = Metal {
+        it.add(glass);
+        let metal = RoughConductor {
+            microfacets: Microfacets {
+                distribution: Distribution::Ggx,
+                alpha_u: it.number(0.2),
+                alpha_v: it.number(0.4),
+            },
             eta: it.number(0.2),
             k: it.number(3.0),
             specular_reflectance: white,
         };
-        let facets = Facets {
-            distribution: Distribution::Ggx,
-            alpha: [it.number(0.2), it.number(0.4)],
-        };
-        it.add(Bsdf::RoughConductor(metal, facets));
+        it.add(metal);
         it
     }
 
@@ -66,7 +71,8 @@ impl Materials {
         self.texture(Texture::number("n", number))
     }
 
-    fn add(&mut self, bsdf: Bsdf) -> BsdfId {
+    fn add(&mut self, bsdf: impl Into<Bsdf>) -> BsdfId {
+        let bsdf = bsdf.into();
         let id = format!("m{}", self.0.materials.len());
         self.0.materials.push(Material { id, bsdf });
         BsdfId(self.0.materials.len() as u32 - 1)
@@ -154,10 +160,10 @@ fn blends_and_masks_have_weights() {
         (metal.microfacets.alpha_u, metal.microfacets.alpha_v),
         (0.2, 0.4)
     );
-    assert_eq!(lobes[3].1, Lobe::Null(lobe::Null));
+    assert_eq!(lobes[3].1, Lobe::Null(lobe::Null::default()));
     // From behind only what passes is left.
     let behind = weights(&materials.resolve(mask, Side::Back));
-    assert_eq!(behind, [(0.25, Lobe::Null(lobe::Null))]);
+    assert_eq!(behind, [(0.25, Lobe::Null(lobe::Null::default()))]);
 }
 
 /// Derivatives of textures get into weights and numbers; colours where numbers
@@ -227,7 +233,7 @@ fn maps_tilt_what_is_in_them() {
     let mut expected = lobe::LocalBsdf::default();
     expected.push_tilted(0.25, diffuse(FIRST), Some(tilt));
     expected.push(0.25, diffuse(SECOND));
-    expected.push(0.5, Lobe::Null(lobe::Null));
+    expected.push(0.5, Lobe::Null(lobe::Null::default()));
     assert_eq!(resolved.bsdf, expected.clone().seen_from(Side::Front));
     // The same the other way round: only what is opaque is tilted.
     let veil = materials.add(Bsdf::Mask {
@@ -238,7 +244,7 @@ fn maps_tilt_what_is_in_them() {
     let resolved = materials.resolve(map, Side::Front);
     let mut expected = lobe::LocalBsdf::default();
     expected.push_tilted(0.5, diffuse(FIRST), Some(tilt));
-    expected.push(0.5, Lobe::Null(lobe::Null));
+    expected.push(0.5, Lobe::Null(lobe::Null::default()));
     assert_eq!(resolved.bsdf, expected.seen_from(Side::Front));
 }
 
@@ -305,19 +311,21 @@ fn maps_around_two_sides_turn_over() {
 fn rough_coats_have_their_table() {
     let mut materials = Materials::new();
     let white = materials.texture(Texture::colour("white", Rgb::splat(1.0)));
-    let coat = Coat {
-        int_ior: materials.number(1.5),
-        ext_ior: materials.number(1.0),
+    let (distribution, alpha) = (Distribution::Beckmann, materials.number(0.3));
+    let coat = RoughPlastic {
+        distribution,
+        alpha,
+        eta: Indices {
+            int_ior: materials.number(1.5),
+            ext_ior: materials.number(1.0),
+        },
         diffuse_reflectance: white,
         specular_reflectance: white,
         nonlinear: false,
+        transmittance: (),
     };
-    let (distribution, alpha) = (Distribution::Beckmann, materials.number(0.3));
-    let rough = materials.add(Bsdf::RoughPlastic {
-        coat,
-        distribution,
-        alpha,
-    });
+    let int_ior = coat.eta.int_ior;
+    let rough = materials.add(coat);
     let lobes = weights(&materials.resolve(rough, Side::Front));
     let Lobe::RoughPlastic(lobe) = &lobes[0].1 else {
         panic!("{lobes:?}");
@@ -330,7 +338,7 @@ fn rough_coats_have_their_table() {
     let table =
         |resolver: &Resolver| Arc::clone(resolver.coats.iter().flatten().next().expect("one"));
     let first = table(&resolver);
-    materials.0.texture_mut(coat.diffuse_reflectance).data[0] = 0.5;
+    materials.0.texture_mut(white).data[0] = 0.5;
     resolver.update(&materials.0);
     assert!(Arc::ptr_eq(&first, &table(&resolver)));
     materials.0.texture_mut(alpha).data[0] = 0.2;
@@ -338,9 +346,9 @@ fn rough_coats_have_their_table() {
     let expected = RoughTransmittance::new(distribution, 0.2, 1.5);
     assert_eq!(*table(&resolver), expected);
     // Its tables cannot be made where the coat is no surface, or smooth.
-    materials.0.texture_mut(coat.int_ior).data[0] = 1.0;
+    materials.0.texture_mut(int_ior).data[0] = 1.0;
     assert!(materials.problem().contains("index of its outside"));
-    materials.0.texture_mut(coat.int_ior).data[0] = 1.4;
+    materials.0.texture_mut(int_ior).data[0] = 1.4;
     materials.0.texture_mut(alpha).data[0] = 0.0;
     assert!(materials.problem().contains("write plastic"));
 }
