@@ -114,7 +114,11 @@ impl Lowering<'_> {
             name,
         };
         if let Some(lobe) = Lobe::read(plugin, reading) {
-            return lobe.map(Bsdf::Plain);
+            let lobe = lobe?;
+            if let Some(warning) = lobe.warning(&|id| &self.textures[id.0 as usize]) {
+                fields.warn(warning);
+            }
+            return Ok(Bsdf::Plain(lobe));
         }
         Ok(match plugin {
             "polarizer" | "circular" => self.polarization_filter(fields, name, 0.5)?,

@@ -51,12 +51,8 @@ pub(super) struct Reading<'l, 'a, 'f> {
 impl FieldReader for Reading<'_, '_, '_> {
     type Error = Problem;
 
-    fn remarks(&mut self, without_effect: WithoutEffect, warning: Option<&str>) {
-        if let Some(warning) = warning {
-            self.fields.warn(warning);
-        }
-        self.fields
-            .cosmetic(without_effect.names, without_effect.reason);
+    fn without_effect(&mut self, properties: WithoutEffect) {
+        self.fields.cosmetic(properties.names, properties.reason);
     }
 
     fn colour(
@@ -114,7 +110,7 @@ impl FieldReader for Reading<'_, '_, '_> {
         }
     }
 
-    fn facets(&mut self, _: &'static str) -> Result<Microfacets<TextureId>, Problem> {
+    fn facets(&mut self, _: &'static str, alpha: f64) -> Result<Microfacets<TextureId>, Problem> {
         let distribution = self.distribution("distribution")?;
         let given = |slot| self.fields.get(slot).is_some();
         let (u, v) = (given("alpha_u"), given("alpha_v"));
@@ -124,7 +120,7 @@ impl FieldReader for Reading<'_, '_, '_> {
             let help = "give alpha, or both alpha_u and alpha_v";
             return Err(Problem::invalid(span, message).help(help));
         }
-        let mut roughness = |slot| self.number(slot, Quantity::Roughness, 0.1);
+        let mut roughness = |slot| self.number(slot, Quantity::Roughness, alpha);
         Ok(if u {
             Microfacets {
                 distribution,

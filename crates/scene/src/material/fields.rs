@@ -82,8 +82,8 @@ pub trait FieldReader {
     /// What can go wrong.
     type Error;
 
-    /// Takes note of properties that have no effect, and of a warning about the material.
-    fn remarks(&mut self, without_effect: WithoutEffect, warning: Option<&str>);
+    /// Takes note of properties that have no effect.
+    fn without_effect(&mut self, properties: WithoutEffect);
 
     /// A number for each channel.
     fn colour(
@@ -113,8 +113,12 @@ pub trait FieldReader {
     /// A refractive index, or by default `specular`.
     fn index(&mut self, name: &'static str, specular: f64) -> Result<PrincipledIndex, Self::Error>;
 
-    /// `distribution`, and `alpha` or `alpha_u` and `alpha_v`.
-    fn facets(&mut self, _: &'static str) -> Result<Microfacets<TextureId>, Self::Error>;
+    /// `distribution`, and `alpha`, which has the default, or `alpha_u` and `alpha_v`.
+    fn facets(
+        &mut self,
+        _: &'static str,
+        alpha: f64,
+    ) -> Result<Microfacets<TextureId>, Self::Error>;
 
     /// The distribution of facets.
     fn distribution(&mut self, name: &'static str) -> Result<Distribution, Self::Error>;
@@ -185,7 +189,7 @@ impl FieldList {
         }
     }
 
-    pub(super) fn facets(&mut self, _: &'static str, it: Microfacets<TextureId>) {
+    pub(super) fn facets(&mut self, _: &'static str, _: f64, it: Microfacets<TextureId>) {
         self.distribution("distribution", it.distribution);
         if it.alpha_u == it.alpha_v {
             self.slot("alpha", Quantity::Roughness, it.alpha_u);

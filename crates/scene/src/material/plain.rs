@@ -1,7 +1,5 @@
 //! What a material answers that is not made of others. Each stands in a file of its own under `lobe/`.
 
-use std::sync::Arc;
-
 use capwalk_math::{Real, Rgb, Vec3};
 
 use super::fields::WithoutEffect;
@@ -17,8 +15,6 @@ pub trait Plain {
     const PLUGIN: &'static str;
     /// Properties that are accepted without being read.
     const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::NONE;
-    /// What whoever writes it should know.
-    const WARNING: Option<&'static str> = None;
     /// The perfectly specular events that it has.
     const EVENTS: &'static [Event] = &[];
     /// True if it has parts that are not perfectly specular: worth sampling emitters.
@@ -37,17 +33,22 @@ pub(super) trait InScene: Plain {
     }
 
     /// True if it shows something to both sides, but not alike.
-    fn has_inside(&self, _textures: &[Arc<Texture>]) -> bool {
+    fn has_inside(&self, _texture: TextureOf) -> bool {
         Self::IS_TWO_SIDED
     }
 
     /// Checks what the range of each number alone does not say.
-    fn check(&self, _textures: &[Arc<Texture>]) -> Result<(), &'static str> {
+    fn check(&self, _texture: TextureOf) -> Result<(), &'static str> {
         Ok(())
     }
 
+    /// What whoever wrote it should know.
+    fn warning(&self, _texture: TextureOf) -> Option<&'static str> {
+        None
+    }
+
     /// The rough coat through which light gets to it: for such a table is made.
-    fn rough_coat(&self, _textures: &[Arc<Texture>]) -> Option<RoughCoat> {
+    fn rough_coat(&self, _texture: TextureOf) -> Option<RoughCoat> {
         None
     }
 
@@ -56,6 +57,9 @@ pub(super) trait InScene: Plain {
         None
     }
 }
+
+/// The textures of a scene.
+pub type TextureOf<'a> = &'a dyn Fn(TextureId) -> &'a Texture;
 
 /// Whether it matters how a material is turned about the normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -93,7 +97,7 @@ pub struct RoughCoat {
 /// The textures of a material as a shape has them, and which of them derivatives are asked for by.
 pub struct Numbers<'a> {
     /// The texture in the place of another one.
-    pub texture: &'a dyn Fn(TextureId) -> &'a Texture,
+    pub texture: TextureOf<'a>,
     /// True if derivatives are asked for by what is in its place.
     pub is_asked_for: &'a dyn Fn(TextureId) -> bool,
 }

@@ -1,5 +1,6 @@
 //! From a material and its textures at a point of a surface to lobes.
 
+use std::marker::PhantomData;
 use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
@@ -88,7 +89,7 @@ impl Resolver {
             new
         };
         let coats = scene.materials.iter().map(|material| match &material.bsdf {
-            Bsdf::Plain(lobe) => lobe.rough_coat(&scene.textures).map(&mut table),
+            Bsdf::Plain(lobe) => lobe.rough_coat(&|id| scene.texture(id)).map(&mut table),
             _ => None,
         });
         let coats = coats.collect();
@@ -216,6 +217,7 @@ impl Resolver {
                     textures,
                     is_opaque: parts.is_opaque,
                     coat: self.coats.get(id.0 as usize).and_then(Option::as_ref),
+                    number: PhantomData,
                 });
                 if side == Side::Front || lobe.is_two_sided() {
                     parts.push(weight, lobe);
@@ -269,14 +271,15 @@ fn grey<R: Real>(scene: &Scene, id: TextureId, value: Rgb<R>) -> R {
 }
 
 /// What is known of a material at a point: its textures have values there.
-struct AtPoint<'a, T> {
+struct AtPoint<'a, R, T> {
     scene: &'a Scene,
     textures: &'a mut T,
     is_opaque: bool,
     coat: Option<&'a Arc<RoughTransmittance>>,
+    number: PhantomData<R>,
 }
 
-impl<R: Real, T: TexturesAt<R>> FieldMap<TextureId, R> for AtPoint<'_, T> {
+impl<R: Real, T: TexturesAt<R>> FieldMap<TextureId, R> for AtPoint<'_, R, T> {
     #[inline]
     fn colour(&mut self, it: &TextureId) -> Rgb<R> {
         self.textures.value(*it)
@@ -305,30 +308,14 @@ impl<R: Real, T: TexturesAt<R>> FieldMap<TextureId, R> for AtPoint<'_, T> {
 
     #[inline]
     fn derived<D: Derived>(&mut self, material: &D::Of<TextureId>, _: &()) -> D {
-        let (textures, is_opaque, coat) = (&*self.textures, self.is_opaque, self.coat);
-        let may_change = |id| textures.may_change(id);
-        D::find(
-            material,
-            &Known {
-                may_change,
-                is_opaque,
-                coat,
-            },
-        )
+        D::find(material, self)
     }
 }
 
-/// What is known there besides textures.
-struct Known<'a, F> {
-    may_change: F,
-    is_opaque: bool,
-    coat: Option<&'a Arc<RoughTransmittance>>,
-}
-
-impl<F: Fn(TextureId) -> bool> Circumstances for Known<'_, F> {
+impl<R: Real, T: TexturesAt<R>> Circumstances for AtPoint<'_, R, T> {
     #[inline]
     fn may_change(&self, id: TextureId) -> bool {
-        (self.may_change)(id)
+        self.textures.may_change(id)
     }
 
     #[inline]

@@ -39,7 +39,7 @@ impl Scene {
     /// Checks what the range of each number alone does not say.
     fn check_numbers(&self, bsdf: &Bsdf) -> Result<(), &'static str> {
         match bsdf {
-            Bsdf::Plain(lobe) => lobe.check(&self.textures)?,
+            Bsdf::Plain(lobe) => lobe.check(&|id| self.texture(id))?,
             Bsdf::NormalMap { normals, .. } => {
                 let normals = self.texture(*normals);
                 let no_normal = |i: usize| normals.texel(i) == Rgb::splat(0.5);
@@ -118,7 +118,7 @@ impl Scene {
             }
             Bsdf::Plain(lobe) => Summary {
                 lobes: 1,
-                has_inside: lobe.has_inside(&self.textures),
+                has_inside: lobe.has_inside(&|id| self.texture(id)),
                 ..Summary::default()
             },
         };

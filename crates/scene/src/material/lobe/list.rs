@@ -1,7 +1,5 @@
 //! All materials that are not made of others: the list, and what each is asked.
 
-use std::sync::Arc;
-
 use capwalk_math::{Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -10,8 +8,9 @@ use super::rough_surface::RoughSurface;
 use crate::ids::TextureId;
 use crate::material::fields::{FieldList, FieldMap, FieldReader};
 use crate::material::number::{Derived, Number};
-use crate::material::plain::{Anisotropy, InScene, Numbers, Plain, RoughCoat, Samples, Scatters};
-use crate::texture::Texture;
+use crate::material::plain::{
+    Anisotropy, InScene, Numbers, Plain, RoughCoat, Samples, Scatters, TextureOf,
+};
 
 /// The enum of all, and what each of them answers.
 macro_rules! materials {
@@ -74,8 +73,7 @@ macro_rules! materials {
             pub fn read<R: FieldReader>(plugin: &str, reader: &mut R) -> Option<Result<Self, R::Error>> {
                 Some(match plugin {
                     $(<$name as Plain>::PLUGIN => {
-                        type It = $name;
-                        reader.remarks(It::WITHOUT_EFFECT, It::WARNING);
+                        reader.without_effect(<$name as Plain>::WITHOUT_EFFECT);
                         $name::read(reader).map(Self::$name)
                     })*
                     _ => return None,
@@ -95,18 +93,23 @@ macro_rules! materials {
             }
 
             /// True if it shows something to both sides, but not alike.
-            pub fn has_inside(&self, textures: &[Arc<Texture>]) -> bool {
-                match self { $(Self::$name(it) => it.has_inside(textures),)* }
+            pub fn has_inside(&self, texture: TextureOf) -> bool {
+                match self { $(Self::$name(it) => it.has_inside(texture),)* }
             }
 
             /// Checks what the range of each number alone does not say.
-            pub fn check(&self, textures: &[Arc<Texture>]) -> Result<(), &'static str> {
-                match self { $(Self::$name(it) => it.check(textures),)* }
+            pub fn check(&self, texture: TextureOf) -> Result<(), &'static str> {
+                match self { $(Self::$name(it) => it.check(texture),)* }
+            }
+
+            /// What whoever wrote it should know.
+            pub fn warning(&self, texture: TextureOf) -> Option<&'static str> {
+                match self { $(Self::$name(it) => it.warning(texture),)* }
             }
 
             /// The rough coat through which light gets to it.
-            pub fn rough_coat(&self, textures: &[Arc<Texture>]) -> Option<RoughCoat> {
-                match self { $(Self::$name(it) => it.rough_coat(textures),)* }
+            pub fn rough_coat(&self, texture: TextureOf) -> Option<RoughCoat> {
+                match self { $(Self::$name(it) => it.rough_coat(texture),)* }
             }
 
             /// A number that is asked for and has no finite derivative somewhere, and why.

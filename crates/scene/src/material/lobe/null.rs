@@ -1,7 +1,6 @@
 //! The surface that is not there.
 
 use std::marker::PhantomData;
-use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
@@ -10,8 +9,7 @@ use super::event::{Drawn, Event};
 use crate::ids::TextureId;
 use crate::material::fields::{FieldList, FieldMap, FieldReader};
 use crate::material::number::Number;
-use crate::material::plain::{InScene, Plain, Samples, Scatters};
-use crate::texture::Texture;
+use crate::material::plain::{InScene, Plain, Samples, Scatters, TextureOf};
 
 /// Lets all light pass straight on.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -51,7 +49,7 @@ impl<N: Number> Plain for Null<N> {
 
 impl InScene for Null<TextureId> {
     /// Both sides are alike.
-    fn has_inside(&self, _: &[Arc<Texture>]) -> bool {
+    fn has_inside(&self, _: TextureOf) -> bool {
         false
     }
 }

@@ -15,7 +15,7 @@ use super::microfacets::Microfacets;
 use crate::ids::TextureId;
 use crate::material::fields::{WithoutEffect, fields};
 use crate::material::number::Number;
-use crate::material::plain::{Anisotropy, InScene, Plain, Samples, Scatters};
+use crate::material::plain::{Anisotropy, InScene, Plain, Samples, Scatters, TextureOf};
 
 /// Clear facets, and a diffuse base below a smooth interface: light that the interface
 /// throws back from inside is lost.
@@ -33,7 +33,7 @@ pub struct PolarizedPlastic<N: Number = f64> {
 
 fields! {
     PolarizedPlastic {
-        microfacets: facets(),
+        microfacets: facets(0.1),
         eta: indices(RefractiveIndex { bends: false }, "polypropylene", "air"),
         diffuse_reflectance: colour(Reflectance, 0.5),
         specular_reflectance: colour(Reflectance, 1.0),
@@ -43,13 +43,15 @@ fields! {
 impl<N: Number> Plain for PolarizedPlastic<N> {
     const PLUGIN: &'static str = "pplastic";
     const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::SAMPLE_VISIBLE;
-    const WARNING: Option<&'static str> =
-        Some("polarization is not computed: as in Mitsuba's unpolarized variants");
 }
 
 impl InScene for PolarizedPlastic<TextureId> {
     fn anisotropy(&self) -> Anisotropy {
         Anisotropy::of(&self.microfacets)
+    }
+
+    fn warning(&self, _: TextureOf) -> Option<&'static str> {
+        Some("polarization is not computed: as in Mitsuba's unpolarized variants")
     }
 }
 

@@ -1,7 +1,6 @@
 //! The principled material: many looks from few numbers.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use capwalk_math::{Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
@@ -16,8 +15,7 @@ use super::refraction::{refracted_about, refracting_normal, transmission, transm
 use crate::ids::TextureId;
 use crate::material::fields::{WithoutEffect, fields};
 use crate::material::number::{Circumstances, Derived, Number, PrincipledIndex};
-use crate::material::plain::{Anisotropy, InScene, Numbers, Plain, Samples, Scatters};
-use crate::texture::Texture;
+use crate::material::plain::{Anisotropy, InScene, Numbers, Plain, Samples, Scatters, TextureOf};
 
 /// Diffuse base, metal, glass, sheen and a clear coat, blended. All numbers but
 /// `eta` are from 0 to 1.
@@ -89,8 +87,8 @@ impl InScene for Principled<TextureId> {
         Anisotropy::By(self.anisotropic)
     }
 
-    fn has_inside(&self, textures: &[Arc<Texture>]) -> bool {
-        let glass = &textures[self.spec_trans.0 as usize];
+    fn has_inside(&self, texture: TextureOf) -> bool {
+        let glass = texture(self.spec_trans);
         !glass.is_constant() || glass.data.iter().any(|&x| x > 0.0)
     }
 

@@ -28,7 +28,7 @@ pub struct RoughConductor<N: Number = f64> {
 
 fields! {
     RoughConductor {
-        microfacets: facets(),
+        microfacets: facets(0.1),
         eta: colour(MetalIndex, 0.0),
         k: colour(Extinction, 1.0),
         specular_reflectance: colour(Reflectance, 1.0),

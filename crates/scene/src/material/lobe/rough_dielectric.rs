@@ -29,7 +29,7 @@ pub struct RoughDielectric<N: Number = f64> {
 
 fields! {
     RoughDielectric {
-        microfacets: facets(),
+        microfacets: facets(0.1),
         eta: indices(RefractiveIndex { bends: false }, "bk7", "air"),
         specular_reflectance: colour(Reflectance, 1.0),
         specular_transmittance: colour(Transmittance, 1.0),

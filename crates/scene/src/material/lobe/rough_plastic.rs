@@ -16,8 +16,7 @@ use super::rough_transmittance::RoughTransmittance;
 use crate::ids::TextureId;
 use crate::material::fields::{WithoutEffect, fields};
 use crate::material::number::{Circumstances, Derived, Number};
-use crate::material::plain::{InScene, Plain, RoughCoat, Samples, Scatters};
-use crate::texture::Texture;
+use crate::material::plain::{InScene, Plain, RoughCoat, Samples, Scatters, TextureOf};
 
 /// A rough dielectric over a diffuse base. The coat's facets are isotropic.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -57,9 +56,9 @@ impl<N: Number> Plain for RoughPlastic<N> {
 }
 
 impl InScene for RoughPlastic<TextureId> {
-    fn check(&self, textures: &[Arc<Texture>]) -> Result<(), &'static str> {
+    fn check(&self, texture: TextureOf) -> Result<(), &'static str> {
         let constants = [self.alpha, self.eta.int_ior, self.eta.ext_ior];
-        let constants = constants.map(|id| &textures[id.0 as usize]);
+        let constants = constants.map(texture);
         if !constants.iter().all(|texture| texture.is_constant()) {
             return Err("a rough coat must have one roughness everywhere");
         }
@@ -73,8 +72,8 @@ impl InScene for RoughPlastic<TextureId> {
         Ok(())
     }
 
-    fn rough_coat(&self, textures: &[Arc<Texture>]) -> Option<RoughCoat> {
-        let number = |id: TextureId| textures[id.0 as usize].texel(0).r;
+    fn rough_coat(&self, texture: TextureOf) -> Option<RoughCoat> {
+        let number = |id: TextureId| texture(id).texel(0).r;
         Some(RoughCoat {
             distribution: self.distribution,
             alpha: number(self.alpha),
