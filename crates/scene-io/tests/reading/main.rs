@@ -8,6 +8,7 @@ mod camera;
 mod common;
 mod curves;
 mod damage;
+mod documented;
 mod emitters;
 mod gltf;
 mod gltf_bad;
