@@ -34,9 +34,7 @@ _PLUGINS = {
         "sampler": "independent ldsampler multijitter orthogonal sobol stratified",
         "shape": "blender bsplinecurve cube cylinder disk ellipsoids ellipsoidsmesh gltf instance "
         "linearcurve merge mesh obj ply rectangle sdfgrid serialized shapegroup sphere",
-        "bsdf": "blendbsdf bumpmap circular conductor dielectric diffuse hair mask measured "
-        "measured_polarized normalmap null plastic polarizer pplastic principled principledthin "
-        "retarder roughconductor roughdielectric roughplastic thindielectric twosided",
+        "bsdf": " ".join(_capwalk.bsdf_plugins()),
         "emitter": "area constant directional directionalarea envmap point projector spot sunsky "
         "timed_sunsky",
         "texture": "bitmap blackbody checkerboard d65 irregular mesh_attribute rawconstant regular "

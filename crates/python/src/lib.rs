@@ -22,7 +22,7 @@ mod _capwalk {
     #[pymodule_export]
     use crate::parts::{choose, merge, part};
     #[pymodule_export]
-    use crate::scene::{Scene, load_file, load_lines, load_string};
+    use crate::scene::{Scene, bsdf_plugins, load_file, load_lines, load_string};
     #[pymodule_export]
     use crate::seed::{independent_seed, view_seed};
     #[pymodule_export]

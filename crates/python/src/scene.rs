@@ -397,6 +397,12 @@ pub fn load_string(
     })
 }
 
+/// What scenes call materials, those that are refused by name among them.
+#[pyfunction]
+pub fn bsdf_plugins() -> Vec<&'static str> {
+    capwalk::scene_io::bsdf_plugins().collect()
+}
+
 /// The scene in a text that was made from something else, which messages call
 /// `lines[i]` where they are about line `i` of it.
 #[pyfunction]

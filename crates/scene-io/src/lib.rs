@@ -69,6 +69,7 @@ pub use load::{
     load_scene_with,
 };
 pub use location::{Location, Position};
+pub use lower::bsdf_plugins;
 pub use sensor_choice::SensorChoice;
 pub use sensor_settings::SensorSettings;
 pub use velocities::{NotVelocities, VelocityFileError, read_velocities};

@@ -26,4 +26,5 @@ mod sphere_division;
 mod surface;
 mod texture;
 
+pub use material::bsdf_plugins;
 pub(crate) use scene::lower;

@@ -80,6 +80,12 @@ const REFUSED: [(&str, &str); 10] = [
 /// How deep materials may stand in materials.
 const MAX_DEPTH: usize = 8;
 
+/// What scene files call materials: those that are read, then those that are refused by name.
+pub fn bsdf_plugins() -> impl Iterator<Item = &'static str> {
+    let refused = REFUSED.iter().map(|&(name, _)| name);
+    Lobe::PLUGINS.iter().copied().chain(OTHERS).chain(refused)
+}
+
 impl Lowering<'_> {
     /// The material of a node, made when it is first met. `otherwise` names it
     /// if it has no id.
