@@ -96,6 +96,7 @@ phenomena! {
     shadow_of_a_growing_occluder
     shadow_of_a_moving_occluder
     shadow_of_a_rotating_occluder
+    shadow_on_the_back_of_a_screen
     shadow_receiver_moves
     shadow_through_a_glass_plate
     shadow_through_a_pane

@@ -27,7 +27,7 @@ const OTHERS: [&str; 8] = [
 ];
 
 /// Materials that are not read, and what to do instead: those of Mitsuba 3, then those of 0.6.
-const REFUSED: [(&str, &str); 10] = [
+const REFUSED: [(&str, &str); 9] = [
     (
         "hair",
         "fibres are not rendered as such; write <bsdf type=\"principled\"> with anisotropic, on \
@@ -56,10 +56,6 @@ const REFUSED: [(&str, &str); 10] = [
     (
         "roughdiffuse",
         "rough diffuse surfaces are not evaluated; write <bsdf type=\"diffuse\">",
-    ),
-    (
-        "difftrans",
-        "write <bsdf type=\"principledthin\"> with diff_trans",
     ),
     (
         "coating",

@@ -126,6 +126,38 @@ fn sheets_and_materials_for_polarized_light() {
     }
 }
 
+/// That of Mitsuba 0.6, with a reflectance besides.
+#[test]
+fn diffuse_transmitters() {
+    let with_numbers = |numbers: [&str; 2]| {
+        let [reflectance, transmittance] = numbers;
+        load_with_warnings(&with(&format!(
+            "<bsdf type=\"difftrans\"><float name=\"reflectance\" value=\"{reflectance}\"/>\
+             <float name=\"transmittance\" value=\"{transmittance}\"/></bsdf>"
+        )))
+    };
+    let scene = load(&with("<bsdf type=\"difftrans\"/>"));
+    let Lobe::DiffuseTransmitter(sheet) = lobe(&scene, "box.bsdf") else {
+        panic!("difftrans");
+    };
+    assert_eq!(colour(&scene, sheet.reflectance), Rgb::zero());
+    assert_eq!(colour(&scene, sheet.transmittance), Rgb::splat(0.5));
+    assert_eq!(with_numbers(["0.25", "0.75"]).1, [""; 0]);
+    let warnings = with_numbers(["0.5", "0.6"]).1.join("");
+    assert!(
+        warnings.contains("\"reflectance\" and \"transmittance\" are above 1 together"),
+        "{warnings}"
+    );
+    check(
+        &with("<bsdf type=\"difftrans\"><float name=\"transmitance\" value=\"0.4\"/></bsdf>"),
+        &[
+            "scene.xml:5:67: unknown property \"transmitance\" of the bsdf \"difftrans\"",
+            "  its properties are reflectance, transmittance",
+            "  did you mean \"transmittance\"?",
+        ],
+    );
+}
+
 /// A polarizer has half of its texels. So they are its own: what others use has no derivative
 /// through a copy. A retarder lets all pass, and shares them.
 #[test]
@@ -205,7 +237,6 @@ fn materials_that_are_refused() {
         ("phong", "write <bsdf type=\"roughplastic\">"),
         ("ward", "write <bsdf type=\"roughplastic\">"),
         ("roughdiffuse", "write <bsdf type=\"diffuse\">"),
-        ("difftrans", "write <bsdf type=\"principledthin\">"),
         ("coating", "write <bsdf type=\"plastic\">"),
         ("roughcoating", "write <bsdf type=\"roughplastic\">"),
         ("mixturebsdf", "write a <bsdf type=\"blendbsdf\">"),

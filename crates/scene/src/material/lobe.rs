@@ -59,6 +59,7 @@ mod coat;
 mod conductor;
 mod dielectric;
 mod diffuse;
+mod diffuse_transmitter;
 pub(super) mod event;
 mod fresnel;
 pub(super) mod list;

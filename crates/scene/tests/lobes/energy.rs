@@ -73,6 +73,10 @@ fn white_surfaces_that_lose_nothing_give_back_all() {
             specular_transmittance: WHITE,
         }),
         Lobe::Null(Null::default()),
+        Lobe::DiffuseTransmitter(DiffuseTransmitter {
+            reflectance: WHITE * 0.3,
+            transmittance: WHITE * 0.7,
+        }),
     ];
     for lobe in lobes {
         for wi in table::views(&lobe) {

@@ -268,6 +268,11 @@ pub fn smooth() -> Vec<(&'static str, Lobe)> {
     lobes.extend(principled.map(|(name, lobe)| (name, Lobe::Principled(lobe))));
     let thin = principled_thin().into_iter();
     lobes.extend(thin.map(|(name, lobe)| (name, Lobe::PrincipledThin(lobe))));
+    let sheet = DiffuseTransmitter {
+        reflectance: TINT * 0.4,
+        transmittance: OTHER_TINT * 0.6,
+    };
+    lobes.push(("difftrans", Lobe::DiffuseTransmitter(sheet)));
     lobes
 }
 

@@ -200,6 +200,8 @@ materials! {
     principled_thin::PrincipledThin,
     /// Nothing: light passes.
     null::Null,
+    /// Diffuse on both sides: a sheet of paper.
+    diffuse_transmitter::DiffuseTransmitter,
 }
 
 impl<R: Real> Lobe<R> {
