@@ -17,9 +17,8 @@ macro_rules! fields {
         impl $material<$crate::ids::TextureId> {
             /// The material that a reader finds.
             pub(in crate::material) fn read<R: $crate::material::fields::FieldReader>(
-                #[allow(unused_variables)] reader: &mut R,
+                reader: &mut R,
             ) -> Result<Self, R::Error> {
-                #[allow(unused_imports)]
                 use $crate::quantity::Quantity::*;
                 Ok(Self {
                     $($field: reader.$kind(stringify!($field), $($declared),*)?,)*
@@ -30,9 +29,8 @@ macro_rules! fields {
             /// What stands in it.
             pub(in crate::material) fn list(
                 &self,
-                #[allow(unused_variables)] list: &mut $crate::material::fields::FieldList,
+                list: &mut $crate::material::fields::FieldList,
             ) {
-                #[allow(unused_imports)]
                 use $crate::quantity::Quantity::*;
                 $(list.$kind(stringify!($field), $($declared,)* self.$field);)*
             }
@@ -43,7 +41,7 @@ macro_rules! fields {
             #[inline]
             pub(in crate::material) fn mapped<B: $crate::material::number::Number>(
                 &self,
-                #[allow(unused_variables)] map: &mut impl $crate::material::fields::FieldMap<A, B>,
+                map: &mut impl $crate::material::fields::FieldMap<A, B>,
             ) -> $material<B> {
                 $material {
                     $($field: map.$kind(&self.$field),)*

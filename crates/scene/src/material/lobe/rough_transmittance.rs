@@ -84,11 +84,6 @@ impl RoughTransmittance {
         self.transmittance.iter().map(|entry| entry.value)
     }
 
-    /// The shape of the distribution that it was made for.
-    pub fn distribution(&self) -> Distribution {
-        self.distribution
-    }
-
     /// The roughness that it was made for.
     pub fn alpha(&self) -> f64 {
         self.alpha
