@@ -15,7 +15,7 @@ use capwalk_diff::{
 };
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::lobe::{Conductor, Dielectric, Diffuse, Distribution, Principled};
+use capwalk_scene::lobe::{Dielectric, Distribution, Principled};
 use capwalk_scene::number::Indices;
 use capwalk_scene::primitive::{icosphere, rectangle};
 use capwalk_scene::*;

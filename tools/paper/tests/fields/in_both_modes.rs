@@ -17,7 +17,7 @@ use capwalk_scene::*;
 #[test]
 fn warped_area_sampling() {
     let mut scene = visible_ball(Filter::Box);
-    make(&mut scene, "floor", |n| Bsdf::Conductor(n.copper()));
+    make(&mut scene, "floor", |n| n.copper());
     small(&mut scene, 4);
     let tangent = everything(&scene, 11);
     let prepared = PreparedScene::new(scene);

@@ -4,7 +4,7 @@ use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
 };
 use capwalk_math::Rgb;
-use capwalk_scene::bsdf::Metal;
+use capwalk_scene::lobe::{Conductor, Diffuse};
 use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
 
@@ -18,7 +18,7 @@ fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
 
 fn mirror(scene: &mut Scene) -> Bsdf {
     let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
-    Bsdf::Conductor(Metal {
+    Bsdf::from(Conductor {
         eta: number("eta", 0.2),
         k: number("k", 3.0),
         specular_reflectance: number("tint", 1.0),
@@ -57,7 +57,7 @@ pub fn checkered_floor(squares: f64) -> Scene {
             },
         },
     });
-    material(&mut scene, "floor.bsdf", Bsdf::Diffuse { reflectance: id });
+    material(&mut scene, "floor.bsdf", Diffuse { reflectance: id }.into());
     scene
 }
 
