@@ -3,7 +3,7 @@
 use capwalk_math::{Affine, Vec3};
 
 use super::error::MeshFileError;
-use super::gltf_json::Item;
+use super::gltf_file::{GltfFile, at, unsupported};
 
 /// How far the length of a rotation's quaternion may be from 1: writers round
 /// to single precision.
@@ -33,59 +33,61 @@ pub enum GltfName {
 }
 
 impl GltfName {
-    fn is(&self, index: usize, item: &Item) -> bool {
+    fn is(&self, index: usize, name: Option<&str>) -> bool {
         match self {
             Self::Index(wanted) => *wanted as usize == index,
-            Self::Name(wanted) => name(item) == Some(wanted),
+            Self::Name(wanted) => shown_name(name) == Some(wanted),
         }
     }
 }
 
 /// A primitive that was chosen.
 pub(super) struct Placed<'a> {
-    pub primitive: Item<'a>,
+    pub primitive: gltf::Primitive<'a>,
+    /// Where it stands in the file.
+    pub place: String,
     /// From its coordinates to the scene's; can be inverted.
     pub to_scene: Affine,
     /// What the node or the mesh is called.
     pub name: Option<String>,
 }
 
-/// The name of an object, if it has one that can be shown.
-fn name<'a>(item: &Item<'a>) -> Option<&'a str> {
-    let name = item.get("name")?.as_text().ok()?;
-    (!name.is_empty() && !name.chars().any(char::is_control)).then_some(name)
+/// A name that can be shown, and in which names of files and parameters begin.
+pub(crate) fn shown_name(name: Option<&str>) -> Option<&str> {
+    const LONGEST: usize = 1000;
+    let is_fine = |name: &&str| (1..=LONGEST).contains(&name.len());
+    name.filter(is_fine)
+        .filter(|name| !name.chars().any(char::is_control))
 }
 
-/// A mesh and the node that places it.
+/// A primitive of a mesh and the node that places it.
 struct Candidate<'a> {
-    node: Option<(usize, Item<'a>)>,
+    node: Option<gltf::Node<'a>>,
     to_scene: Affine,
-    mesh: (usize, Item<'a>),
-    primitive: usize,
+    mesh: gltf::Mesh<'a>,
+    primitive: gltf::Primitive<'a>,
 }
 
 impl Candidate<'_> {
     /// As it is listed: `node 3 "Lid", mesh 1 "Disk", primitive 0`.
     fn title(&self) -> String {
-        let title = |kind: &str, (index, item): &(usize, Item)| match name(item) {
+        let title = |kind: &str, index: usize, name: Option<&str>| match shown_name(name) {
             Some(name) => format!("{kind} {index} \"{name}\", "),
             None => format!("{kind} {index}, "),
         };
-        let node = self
-            .node
-            .as_ref()
-            .map_or(String::new(), |n| title("node", n));
-        let mesh = title("mesh", &self.mesh);
-        format!("{node}{mesh}primitive {}", self.primitive)
+        let node = self.node.as_ref();
+        let node = node.map_or(String::new(), |n| title("node", n.index(), n.name()));
+        let mesh = title("mesh", self.mesh.index(), self.mesh.name());
+        format!("{node}{mesh}primitive {}", self.primitive.index())
     }
 }
 
 /// The one primitive that the choice leaves.
 pub(super) fn choose<'a>(
-    root: &Item<'a>,
+    file: &'a GltfFile,
     choice: &GltfChoice,
 ) -> Result<Placed<'a>, MeshFileError> {
-    let mut candidates = candidates(root, choice)?;
+    let mut candidates: Vec<Candidate> = candidates(file, choice)?.take(LISTED + 1).collect();
     let is_free = choice == &GltfChoice::default();
     if candidates.len() > 1 {
         let listed = candidates.iter().take(LISTED).map(Candidate::title);
@@ -113,143 +115,142 @@ pub(super) fn choose<'a>(
         let help = "expected a mesh, placed by a node, with this name or index";
         return Err(MeshFileError::choice(message, help));
     };
-    let mut name_of = name(&chosen.mesh.1);
-    if let Some((_, node)) = &chosen.node {
-        name_of = name(node).or(name_of);
-        if let Some(skin) = node.get("skin") {
+    let mut name = shown_name(chosen.mesh.name());
+    if let Some(node) = &chosen.node {
+        name = shown_name(node.name()).or(name);
+        let place = format!("nodes[{}]", node.index());
+        if node.skin().is_some() {
             let help = "export the mesh as it is to be seen, without a skin";
-            return Err(skin.unsupported("skinned meshes are not read", help));
+            let place = format!("{place}.skin");
+            return Err(unsupported(&place, "skinned meshes are not read", help));
         }
         let instancing = "EXT_mesh_gpu_instancing";
-        if node
-            .get("extensions")
-            .is_some_and(|e| e.get(instancing).is_some())
+        if file
+            .keys(&format!("{place}.extensions"))
+            .any(|name| name == instancing)
         {
             let message = format!("the extension \"{instancing}\" is not read");
-            return Err(node.unsupported(message, "export each copy as a node"));
+            return Err(unsupported(&place, message, "export each copy as a node"));
         }
         let determinant = chosen.to_scene.determinant();
         if determinant == 0.0 || !determinant.is_finite() {
             let help = "scale by finite numbers other than 0";
-            return Err(node.invalid("its transform cannot be inverted", help));
+            let message = "its transform cannot be inverted";
+            return Err(MeshFileError::invalid(at(&place), message, help));
         }
     }
+    let (mesh, primitive) = (chosen.mesh.index(), chosen.primitive.index());
     Ok(Placed {
-        primitive: chosen.mesh.1.entry("primitives", chosen.primitive)?,
+        primitive: chosen.primitive,
+        place: format!("meshes[{mesh}].primitives[{primitive}]"),
         to_scene: chosen.to_scene,
-        name: name_of.map(str::to_owned),
+        name: name.map(str::to_owned),
     })
 }
 
-/// What the choice leaves of the file's scene, at most one more than a message
-/// lists. A file without scenes holds meshes in their own coordinates.
+/// What the choice leaves of the file's scene. A file without scenes holds meshes in
+/// their own coordinates.
 fn candidates<'a>(
-    root: &Item<'a>,
+    file: &'a GltfFile,
     choice: &GltfChoice,
-) -> Result<Vec<Candidate<'a>>, MeshFileError> {
-    let mut found = Vec::new();
-    let mut add = |node: Option<(usize, Item<'a>)>, to_scene: Affine, mesh: usize| {
-        let mesh = (mesh, root.entry("meshes", mesh)?);
-        if choice
-            .mesh
-            .as_ref()
-            .is_some_and(|wanted| !wanted.is(mesh.0, &mesh.1))
-        {
-            return Ok(true);
-        }
-        let count = mesh.1.count("primitives")?;
-        let range = match choice.primitive {
-            None => 0..count,
-            Some(index) => index as usize..count.min(index as usize + 1),
+) -> Result<impl Iterator<Item = Candidate<'a>>, MeshFileError> {
+    let document = &file.document;
+    let is_wanted = |wanted: &Option<GltfName>, index: usize, name: Option<&str>| {
+        wanted.as_ref().is_none_or(|wanted| wanted.is(index, name))
+    };
+    let nodes = file.nodes()?.iter().filter_map(move |&(index, to_scene)| {
+        let node = document.nodes().nth(index)?;
+        let mesh = node
+            .mesh()
+            .filter(|_| is_wanted(&choice.node, index, node.name()))?;
+        Some((Some(node), to_scene, mesh))
+    });
+    let is_bare = document.as_json().scenes.is_empty() && choice.node.is_none();
+    let bare = document.meshes().filter(move |_| is_bare);
+    let meshes = nodes.chain(bare.map(|mesh| (None, Affine::IDENTITY, mesh)));
+    let meshes =
+        meshes.filter(move |(_, _, mesh)| is_wanted(&choice.mesh, mesh.index(), mesh.name()));
+    Ok(meshes.flat_map(move |(node, to_scene, mesh)| {
+        let primitives = mesh.primitives().filter(|primitive| {
+            let wanted = choice.primitive.map(|index| index as usize);
+            wanted.is_none_or(|wanted| wanted == primitive.index())
+        });
+        let candidate = |primitive| Candidate {
+            node: node.clone(),
+            to_scene,
+            mesh: mesh.clone(),
+            primitive,
         };
-        for primitive in range {
-            let (node, mesh) = (node.clone(), mesh.clone());
-            found.push(Candidate {
-                node,
-                to_scene,
-                mesh,
-                primitive,
-            });
-            if found.len() > LISTED {
-                return Ok(false);
-            }
+        primitives.map(candidate).collect::<Vec<_>>()
+    }))
+}
+
+impl GltfFile {
+    /// The nodes that the file's scene shows, parents before children, and from the coordinates of
+    /// each to the scene's. A file without scenes shows none.
+    pub fn nodes(&self) -> Result<&[(usize, Affine)], MeshFileError> {
+        if let Some(nodes) = self.nodes.get() {
+            return Ok(nodes);
         }
-        Ok::<bool, MeshFileError>(true)
-    };
-    let scenes = root.count("scenes")?;
-    if scenes == 0 && choice.node.is_none() {
-        for mesh in 0..root.count("meshes")? {
-            if !add(None, Affine::IDENTITY, mesh)? {
-                break;
+        let root = self.document.as_json();
+        let scene = root.scene.map_or(0, |scene| scene.value());
+        let roots = root.scenes.get(scene).map_or(&[][..], |scene| &scene.nodes);
+        let mut seen = vec![false; root.nodes.len()];
+        let waiting = roots.iter().rev();
+        let mut waiting: Vec<(usize, Affine)> = waiting
+            .map(|node| (node.value(), Affine::IDENTITY))
+            .collect();
+        let mut found = Vec::new();
+        while let Some((index, parent)) = waiting.pop() {
+            if std::mem::replace(&mut seen[index], true) {
+                let help = "expected a tree: each node with one parent";
+                let place = at(&format!("nodes[{index}]"));
+                let message = "several nodes have it as a child";
+                return Err(MeshFileError::invalid(place, message, help));
             }
+            let to_scene = parent * transform(self, index)?;
+            found.push((index, to_scene));
+            let children = root.nodes[index].children.iter().flatten().rev();
+            waiting.extend(children.map(|child| (child.value(), to_scene)));
         }
-        return Ok(found);
+        Ok(self.nodes.get_or_init(|| found))
     }
-    let scene = root.get("scene").map_or(Ok(0), |scene| scene.as_index())?;
-    let scene = root.entry("scenes", scene)?;
-    let mut seen = vec![false; root.count("nodes")?];
-    let mut waiting: Vec<(usize, Affine)> = Vec::new();
-    let wait = |waiting: &mut Vec<_>, item: &Item, list: &str, to_scene: Affine| {
-        let nodes = item.indices(list)?;
-        waiting.extend(nodes.into_iter().rev().map(|node| (node, to_scene)));
-        Ok::<(), MeshFileError>(())
-    };
-    wait(&mut waiting, &scene, "nodes", Affine::IDENTITY)?;
-    while let Some((index, parent)) = waiting.pop() {
-        let node = root.entry("nodes", index)?;
-        if std::mem::replace(&mut seen[index], true) {
-            let help = "expected a tree: each node with one parent";
-            return Err(node.invalid("several nodes have it as a child", help));
-        }
-        let to_scene = parent * transform(&node)?;
-        let is_wanted = choice
-            .node
-            .as_ref()
-            .is_none_or(|wanted| wanted.is(index, &node));
-        if is_wanted && let Some(mesh) = node.get("mesh") {
-            let node = Some((index, node.clone()));
-            if !add(node, to_scene, mesh.as_index()?)? {
-                break;
-            }
-        }
-        wait(&mut waiting, &node, "children", to_scene)?;
-    }
-    Ok(found)
 }
 
 /// From a node's coordinates to its parent's.
-fn transform(node: &Item) -> Result<Affine, MeshFileError> {
-    if let Some(item) = node.get("matrix") {
+fn transform(file: &GltfFile, index: usize) -> Result<Affine, MeshFileError> {
+    let node = &file.document.as_json().nodes[index];
+    let place = |key: &str| format!("nodes[{index}].{key}");
+    if node.matrix.is_some() {
         // Column after column.
-        let m = item.as_numbers::<16>()?;
+        let m = file.numbers(&place("matrix"), [0.0; 16])?;
         if [m[3], m[7], m[11], m[15]] != [0.0, 0.0, 0.0, 1.0] {
             let help = "expected 0, 0, 0, 1 in its last row";
-            return Err(item.invalid("the matrix is not affine", help));
+            let message = "the matrix is not affine";
+            return Err(MeshFileError::invalid(at(&place("matrix")), message, help));
         }
         return Ok(Affine {
             rows: [0, 1, 2].map(|row| Vec3::new(m[row], m[row + 4], m[row + 8])),
             translation: Vec3::new(m[12], m[13], m[14]),
         });
     }
-    let vector = |key: &str, default: f64| match node.get(key) {
-        Some(item) => item.as_numbers().map(Vec3::from),
-        None => Ok(Vec3::splat(default)),
-    };
-    let rotation = match node.get("rotation") {
-        Some(item) => rotation(&item)?,
-        None => Affine::IDENTITY,
-    };
-    let scale = Affine::scale(vector("scale", 1.0)?);
-    Ok(Affine::translate(vector("translation", 0.0)?) * rotation * scale)
+    let quaternion = file.numbers(&place("rotation"), [0.0, 0.0, 0.0, 1.0])?;
+    let rotation = rotation(quaternion, &place("rotation"))?;
+    let scale = Affine::scale(file.numbers(&place("scale"), [1.0; 3])?.into());
+    let translation = file.numbers(&place("translation"), [0.0; 3])?.into();
+    Ok(Affine::translate(translation) * rotation * scale)
 }
 
-/// The rotation of a quaternion x, y, z, w.
-fn rotation(item: &Item) -> Result<Affine, MeshFileError> {
-    let given: [f64; 4] = item.as_numbers()?;
+/// The rotation of a quaternion x, y, z, w, which stands at a place.
+fn rotation(given: [f64; 4], place: &str) -> Result<Affine, MeshFileError> {
     let length = given.iter().map(|x| x * x).sum::<f64>().sqrt();
     if (length - 1.0).abs() >= UNIT {
         let message = format!("the quaternion has the length {length}");
-        return Err(item.invalid(message, "expected one of length 1"));
+        return Err(MeshFileError::invalid(
+            at(place),
+            message,
+            "expected one of length 1",
+        ));
     }
     let [x, y, z, w] = given.map(|number| number / length);
     let rows = [

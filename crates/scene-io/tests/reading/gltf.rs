@@ -180,6 +180,41 @@ fn other_ways_to_say_it() {
     assert_eq!((file.name, file.normals), (None, None));
 }
 
+/// An accessor that takes one of its elements from elsewhere, and wrong ones.
+#[test]
+fn sparse_accessors() {
+    let with = |index: u8, count: usize| {
+        let (mut document, mut json) = bent();
+        let moved = [7.0_f32, 8.0, 9.0].map(f32::to_le_bytes);
+        let (indices, values) = (document.view(&[index]), document.view(moved.as_flattened()));
+        document.complete(&mut json);
+        json["accessors"][0]["sparse"] = json!({
+            "count": count,
+            "indices": {"bufferView": indices, "componentType": 5121},
+            "values": {"bufferView": values}
+        });
+        json["nodes"] = json!([{"mesh": 0}]);
+        json["scenes"] = json!([{"nodes": [0]}]);
+        document.embedded(json)
+    };
+    let positions = any(&with(2, 1)).mesh.positions;
+    let mut expected = POSITIONS.map(Vec3::from);
+    assert_ne!(positions, expected);
+    expected[2] = Vec3::new(7.0, 8.0, 9.0);
+    assert_eq!(positions, expected);
+    for (count, expected) in [
+        (0, "accessors[0].sparse: it replaces 0 elements of 4; "),
+        (
+            2,
+            "accessors[0].sparse: 2 elements of 1 bytes, 1 apart from byte 0 on, are announced",
+        ),
+        (5, "accessors[0].sparse: it replaces 5 elements of 4; "),
+    ] {
+        let message = refused(&with(2, count), &GltfChoice::default());
+        assert!(message.starts_with(expected), "{message}");
+    }
+}
+
 #[test]
 fn one_of_several() {
     let mut document = Document::default();

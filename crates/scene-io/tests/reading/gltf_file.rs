@@ -16,16 +16,28 @@ pub struct Document {
 impl Document {
     /// Adds numbers of an accessor as they are in memory; its index.
     pub fn accessor(&mut self, kind: &str, component: u32, count: usize, bytes: &[u8]) -> usize {
+        let view = self.view(bytes);
+        self.accessors.push(json!({
+            "bufferView": view, "componentType": component, "count": count, "type": kind
+        }));
+        self.accessors.len() - 1
+    }
+
+    /// Adds bytes of any kind; the index of their view.
+    pub fn view(&mut self, bytes: &[u8]) -> usize {
         self.views.push(json!({
             "buffer": 0, "byteOffset": self.buffer.len(), "byteLength": bytes.len()
         }));
         self.buffer.extend(bytes);
         self.buffer.resize(self.buffer.len().next_multiple_of(4), 0);
-        let view = self.views.len() - 1;
-        self.accessors.push(json!({
-            "bufferView": view, "componentType": component, "count": count, "type": kind
-        }));
-        self.accessors.len() - 1
+        self.views.len() - 1
+    }
+
+    /// Brings what was added later into the JSON.
+    pub fn complete(&self, json: &mut Value) {
+        json["accessors"] = self.accessors.clone().into();
+        json["bufferViews"] = self.views.clone().into();
+        json["buffers"][0]["byteLength"] = self.buffer.len().into();
     }
 
     /// Adds vectors in single precision; the index of their accessor.
