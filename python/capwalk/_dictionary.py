@@ -37,8 +37,8 @@ _PLUGINS = {
         "bsdf": " ".join(_capwalk.bsdf_plugins()),
         "emitter": "area constant directional directionalarea envmap point projector spot sunsky "
         "timed_sunsky",
-        "texture": "bitmap blackbody checkerboard d65 irregular mesh_attribute rawconstant regular "
-        "srgb uniform volume",
+        "texture": "bitmap blackbody checkerboard d65 gltf_texture irregular mesh_attribute "
+        "rawconstant regular srgb uniform volume",
         "volume": "constvolume gridvolume",
         "medium": "heterogeneous homogeneous",
         "phase": "blendphase hg isotropic rayleigh sggx tabphase",

@@ -27,8 +27,8 @@ Along = str | Mapping[str, ArrayLike]
 
 
 def load_file(path: str | os.PathLike[str], /, **defines: object) -> Scene:
-    """The scene in a Mitsuba 3 XML file, or the built-in scene of this name (``"leaf"``,
-    ``"ball"``, ``"box-room"``, ``"lattice-shadow"``).
+    """The scene in a Mitsuba 3 XML file or a glTF file (``.gltf``, ``.glb``), or the built-in scene
+    of this name (``"leaf"``, ``"ball"``, ``"box-room"``, ``"lattice-shadow"``).
 
     Keyword arguments are values of ``$name`` in the file and take precedence over its
     ``<default>``. Properties that have no effect, or are read as something else, give a

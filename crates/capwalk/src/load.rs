@@ -10,7 +10,7 @@ use capwalk_scene_io::{
 use crate::error::Error;
 use crate::setting::{Setting, set};
 
-/// The scene in a Mitsuba 3 XML file, or the built-in scene of this name.
+/// The scene in a Mitsuba 3 XML or glTF file, or the built-in scene of this name.
 ///
 /// ```
 /// let loaded = capwalk::load("leaf")?;
@@ -43,7 +43,7 @@ pub struct Loader {
 }
 
 impl Loader {
-    /// For a Mitsuba 3 XML file, or the built-in scene of this name.
+    /// For a Mitsuba 3 XML or glTF file, or the built-in scene of this name.
     pub fn new(name: impl AsRef<Path>) -> Self {
         Self {
             name: name.as_ref().into(),

@@ -24,7 +24,7 @@ pub struct Cli {
 
 /// The meaning of each exit status, shown under `--help`.
 const EXIT_CODES: &str = "\
-A SCENE is a Mitsuba XML file or the name of a built-in scene (see `capwalk scenes`).
+A SCENE is a Mitsuba XML file, a glTF file or the name of a built-in scene (see `capwalk scenes`).
 
 Exit status:
   0  done, also within a --time-limit; for check: the gradient is right
@@ -118,7 +118,7 @@ impl Command {
 /// Which scene, and changes to it.
 #[derive(Args, Debug, Default)]
 pub struct SceneArgs {
-    /// Mitsuba XML file, or name of a built-in scene
+    /// Mitsuba XML file, glTF file, or name of a built-in scene
     pub scene: String,
     /// Replace the default of a $name in the scene file
     #[arg(short = 'D', long = "define", value_name = "NAME=VALUE", value_parser = parse::define)]

@@ -38,6 +38,15 @@ impl BitmapUse {
     }
 }
 
+/// Which channels of an image are read.
+#[derive(Clone, Copy)]
+pub(crate) enum Channels {
+    /// Red, green and blue, or the grey of an image without colours.
+    Colour,
+    /// One of red, green, blue and alpha, counted from 0.
+    One(usize),
+}
+
 /// The most pixels that are read: more than textures have. In double precision they take 6 GiB.
 const MOST_PIXELS: u64 = 1 << 28;
 
@@ -49,12 +58,13 @@ const MOST_COMPRESSION: u64 = 1 << 14;
 pub(crate) const ENDINGS: [&str; 7] = ["png", "jpg", "jpeg", "bmp", "tga", "hdr", "exr"];
 
 /// The image in the bytes of a file whose name has this ending. Files with 8 or
-/// 16 bits are decoded from sRGB to linear light, unless they are `raw`; alpha
-/// is left out. An error if there is no memory for what it becomes.
+/// 16 bits are decoded from sRGB to linear light, unless they are `raw`. An error
+/// if there is no memory for what it becomes.
 pub(crate) fn read(
     bytes: &[u8],
     ending: &str,
     raw: bool,
+    wanted: Channels,
     becomes: BitmapUse,
 ) -> Result<BitmapFile, String> {
     let format = match ending {
@@ -75,22 +85,27 @@ pub(crate) fn read(
     let image = ImageReader::with_format(Cursor::new(bytes), format).decode();
     let image = image.map_err(|error| error.to_string())?;
     let (width, height) = (image.width(), image.height());
-    let channels = if image.color().has_color() { 3 } else { 1 };
+    let channels = match wanted {
+        Channels::Colour if image.color().has_color() => 3,
+        Channels::Colour | Channels::One(_) => 1,
+    };
     let mut data: Vec<f64> = match (&image, channels) {
         (DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_), _) => {
             let rgb = image.into_rgb32f().into_raw();
             return finish(width, height, 3, doubles(&rgb, |x| x.into())?);
         }
         _ if image.color().bytes_per_pixel() / image.color().channel_count() == 1 => {
-            let bytes = match channels {
-                1 => image.into_luma8().into_raw(),
+            let bytes = match (wanted, channels) {
+                (Channels::One(channel), _) => one(&image.into_rgba8(), channel),
+                (_, 1) => image.into_luma8().into_raw(),
                 _ => image.into_rgb8().into_raw(),
             };
             doubles(&bytes, |x| f64::from(x) / 255.0)?
         }
         _ => {
-            let words = match channels {
-                1 => image.into_luma16().into_raw(),
+            let words = match (wanted, channels) {
+                (Channels::One(channel), _) => one(&image.into_rgba16(), channel),
+                (_, 1) => image.into_luma16().into_raw(),
                 _ => image.into_rgb16().into_raw(),
             };
             doubles(&words, |x| f64::from(x) / 65535.0)?
@@ -100,6 +115,12 @@ pub(crate) fn read(
         data.iter_mut().for_each(|x| *x = linear_of_srgb(*x));
     }
     finish(width, height, channels, data)
+}
+
+/// One channel of four.
+fn one<T: Copy>(rgba: &[T], channel: usize) -> Vec<T> {
+    let pixels = rgba.as_chunks::<4>().0.iter();
+    pixels.map(|pixel| pixel[channel]).collect()
 }
 
 /// An error if the header announces more pixels than are read, than the file can hold, or than
@@ -207,7 +228,8 @@ mod tests {
             (ImageFormat::Tga, "tga"),
         ] {
             let file = bytes(image.clone(), format);
-            let read_as = |raw| read(&file, ending, raw, BitmapUse::Texture).expect(ending);
+            let read_as =
+                |raw| read(&file, ending, raw, Channels::Colour, BitmapUse::Texture).expect(ending);
             let raw = read_as(true);
             assert_eq!((raw.width, raw.height, raw.channels), (2, 1, 3));
             let expected = [255, 128, 10, 0, 1, 2].map(|x| f64::from(x) / 255.0);
@@ -226,6 +248,7 @@ mod tests {
             &bytes(grey, ImageFormat::Png),
             "png",
             true,
+            Channels::Colour,
             BitmapUse::Texture,
         )
         .expect("grey");
@@ -235,6 +258,7 @@ mod tests {
             &bytes(deep, ImageFormat::Png),
             "png",
             true,
+            Channels::Colour,
             BitmapUse::Texture,
         )
         .expect("16 bits");
@@ -245,6 +269,7 @@ mod tests {
             &bytes(alpha, ImageFormat::Png),
             "png",
             true,
+            Channels::Colour,
             BitmapUse::Texture,
         )
         .expect("alpha");
@@ -259,6 +284,7 @@ mod tests {
             &bytes(flat, ImageFormat::Jpeg),
             "jpg",
             true,
+            Channels::Colour,
             BitmapUse::Texture,
         )
         .expect("jpeg");
@@ -271,7 +297,8 @@ mod tests {
         }
         let bright = ImageBuffer::<Rgb<f32>, _>::from_raw(1, 1, vec![0.5, 8.0, 64.0]);
         let bright = bytes(bright.expect("one pixel"), ImageFormat::Hdr);
-        let bright = read(&bright, "hdr", false, BitmapUse::Texture).expect("hdr");
+        let bright =
+            read(&bright, "hdr", false, Channels::Colour, BitmapUse::Texture).expect("hdr");
         assert_eq!(bright.data, [0.5, 8.0, 64.0]);
     }
 
@@ -294,12 +321,20 @@ mod tests {
         let whole = bytes(image, ImageFormat::Png);
         for length in 0..whole.len() - 12 {
             assert!(
-                read(&whole[..length], "png", false, BitmapUse::Texture).is_err(),
+                read(
+                    &whole[..length],
+                    "png",
+                    false,
+                    Channels::Colour,
+                    BitmapUse::Texture
+                )
+                .is_err(),
                 "{length} bytes"
             );
         }
-        assert!(read(&whole, "exr", false, BitmapUse::Texture).is_err());
-        let error = read(&whole, "gif", false, BitmapUse::Texture).expect_err("no such format");
+        assert!(read(&whole, "exr", false, Channels::Colour, BitmapUse::Texture).is_err());
+        let error = read(&whole, "gif", false, Channels::Colour, BitmapUse::Texture)
+            .expect_err("no such format");
         assert!(error.contains("png, jpg"), "{error}");
         assert!(
             finish(2, 1, 1, vec![0.0, f64::NAN])

@@ -2,13 +2,16 @@
 //! error that lists what could have been asked for.
 
 use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 use capwalk_math::{Affine, Vec3};
 
 use crate::files::read_file;
 use crate::files_read::FilesRead;
+use crate::mesh::GltfFile;
 use crate::node::{Graph, Kind, Node, NodeId, Property, PropertyValue};
 use crate::problem::Problem;
 use crate::suggest::{nearest, snake_case};
@@ -26,13 +29,27 @@ pub(crate) struct Context<'a> {
     pub more_warnings: Cell<usize>,
     /// The files that were read so far, besides the texts.
     pub files: RefCell<FilesRead>,
+    /// The glTF files that were read so far, by their paths.
+    pub gltf_files: RefCell<BTreeMap<PathBuf, Rc<GltfFile>>>,
 }
 
 /// Warnings of one scene that are kept; the others are counted. Finding the line of each
 /// takes time proportional to the length of the file.
 const MOST_WARNINGS: usize = 1000;
 
-impl Context<'_> {
+impl<'a> Context<'a> {
+    /// Before anything is lowered.
+    pub fn new(texts: &'a Texts, graph: &'a Graph) -> Self {
+        Self {
+            texts,
+            graph,
+            warnings: Default::default(),
+            more_warnings: Default::default(),
+            files: texts.paths().collect::<FilesRead>().into(),
+            gltf_files: Default::default(),
+        }
+    }
+
     /// The bytes of a file, which is remembered.
     pub fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         let bytes = read_file(path)?;

@@ -1,14 +1,16 @@
-//! Reading and writing files: scenes in Mitsuba's XML, meshes in OBJ, PLY, glTF and `.serialized`,
+//! Reading and writing files: scenes in Mitsuba's XML and glTF, meshes in OBJ, PLY, glTF and `.serialized`,
 //! images, and arrays for NumPy. Reading is strict: a property that is not supported is an error
 //! with its place.
 //!
-//! `docs/scene-files.md` describes the supported part of the format. [`toml`] reads jobs,
+//! `docs/scene-files.md` describes the supported parts of XML and glTF. [`toml`] reads jobs,
 //! [`export`] writes scenes, [`image`] and [`arrays`] read and write images and numbers. The stages
 //! of reading, one file each:
 //!
 //! ```text
-//! text -> elements  -> elements without $name, <include> -> nodes     -> Scene
-//!         xml          expand                               mitsuba      lower
+//! text  -> elements -> elements without $name, <include> -> nodes      -> Scene
+//!          xml         expand                               mitsuba       lower
+//! bytes -> GltfFile                                      -> nodes      -> Scene
+//!          mesh/gltf_file                                   gltf_scene    lower
 //! ```
 //!
 //! ```
@@ -31,11 +33,13 @@ mod expand;
 mod fields;
 mod files;
 mod files_read;
+mod gltf_scene;
 mod load;
 mod location;
 mod lower;
 pub mod mesh;
 mod mitsuba;
+mod names;
 mod node;
 mod npy;
 mod problem;

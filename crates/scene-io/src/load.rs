@@ -1,20 +1,23 @@
 //! Scene files to scenes: the stages one after the other.
 
 use std::path::{Path, PathBuf};
+use std::rc::Rc;
 
 use capwalk_scene::Scene;
 
 use crate::error::LoadError;
 use crate::expand::expand;
 use crate::fields::Context;
-use crate::files::read_text;
+use crate::files::{read_file, read_text};
 use crate::files_read::FilesRead;
+use crate::gltf_scene;
 use crate::lower::lower;
+use crate::mesh::GltfFile;
 use crate::mitsuba;
 use crate::problem::Problem;
 use crate::sensor_choice::SensorChoice;
 use crate::sensor_settings::SensorSettings;
-use crate::texts::{Text, Texts};
+use crate::texts::{FileId, Text, Texts};
 use crate::warning::Warning;
 
 /// What a scene is loaded with besides its file.
@@ -42,7 +45,7 @@ pub struct Loaded {
     pub files: FilesRead,
 }
 
-/// Reads a Mitsuba 3 XML file. `defines` gives values to `$name` in it and wins
+/// Reads a Mitsuba 3 XML file, or a glTF 2.0 file (`.gltf`, `.glb`). `defines` gives values to `$name` in it and wins
 /// over `<default>`.
 pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Loaded, LoadError> {
     let options = LoadOptions {
@@ -54,7 +57,11 @@ pub fn load_scene(path: &Path, defines: &[(String, String)]) -> Result<Loaded, L
 
 /// [`load_scene`] with a choice of the sensor.
 pub fn load_scene_with(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
-    let help = "expected a Mitsuba scene in XML";
+    let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
+    if ending == "gltf" || ending == "glb" {
+        return load_gltf(path, options);
+    }
+    let help = "expected a Mitsuba scene in XML, or glTF that ends in .gltf or .glb";
     let text = read_text(path);
     let text = text.map_err(|message| LoadError::unreadable(path, message, help))?;
     load(text, options)
@@ -106,32 +113,86 @@ fn load(text: Text, options: &LoadOptions) -> Result<Loaded, LoadError> {
     stages(&mut texts, text, options).map_err(|problem| problem.locate(&texts))
 }
 
+/// A glTF file as a scene.
+fn load_gltf(path: &Path, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let name = path.display().to_string();
+    let bytes = read_file(path).map_err(|error| {
+        let message = format!("cannot read \"{name}\": {error}");
+        LoadError::unreadable(path, message, "expected a glTF 2.0 file")
+    })?;
+    let file = GltfFile::parse(&bytes);
+    let lines = file
+        .as_ref()
+        .map_or(Vec::new(), |file| gltf_scene::lines(file, &name));
+    let content = "\n".repeat(lines.len());
+    let mut texts = Texts::default();
+    let main = texts.add(Text {
+        lines,
+        ..Text::of_file(path, content)
+    });
+    let loaded = file.map_err(|error| Problem::gltf(main, error));
+    let loaded = loaded.and_then(|file| gltf_stages(&texts, main, path, file, options));
+    loaded.map_err(|problem| problem.locate(&texts))
+}
+
+/// What follows after a glTF file is read, whose objects stand in `main`.
+fn gltf_stages(
+    texts: &Texts,
+    main: FileId,
+    path: &Path,
+    file: GltfFile,
+    options: &LoadOptions,
+) -> Result<Loaded, Problem> {
+    if let Some((name, _)) = options.defines.first() {
+        let message = format!("\"{name}\" is defined, but glTF has no parameters");
+        return Err(Problem::definition_for(main, message).help("leave the definition out"));
+    }
+    let filename = path.file_name().unwrap_or_default().to_string_lossy();
+    let graph = gltf_scene::translate(&file, main, &filename);
+    let graph = graph.map_err(|error| Problem::gltf(main, error))?;
+    let context = Context::new(texts, &graph);
+    let directory = texts.main().directory.clone();
+    let own = directory.join(&*filename);
+    context.gltf_files.borrow_mut().insert(own, Rc::new(file));
+    let mut loaded = finish(context, vec![directory], options)?;
+    let mirrored = gltf_scene::mirrored_maps(&loaded.scene);
+    loaded.warnings.extend(mirrored.map(|message| Warning {
+        location: texts.file(main),
+        message,
+        is_about_light: false,
+    }));
+    Ok(loaded)
+}
+
 /// All stages; problems refer to `texts`.
 fn stages(texts: &mut Texts, text: Text, options: &LoadOptions) -> Result<Loaded, Problem> {
     let main = texts.add(text);
     let expanded = expand(texts, main, &options.defines)?;
     let texts = &*texts;
     let graph = mitsuba::parse(texts, &expanded.root)?;
-    let context = Context {
-        texts,
-        graph: &graph,
-        warnings: Default::default(),
-        more_warnings: Default::default(),
-        files: texts.paths().collect::<FilesRead>().into(),
-    };
+    let context = Context::new(texts, &graph);
     for upgraded in &expanded.upgraded {
         context.warn(upgraded.span, &upgraded.message);
     }
     for &stray in &expanded.stray {
         context.warn(stray, "text outside of attributes has no effect");
     }
-    for (span, message) in &graph.warnings {
-        context.warn(*span, message);
-    }
     let mut directories = expanded.search_directories;
     directories.push(texts.main().directory.clone());
     // As Mitsuba does, last of all in the working directory.
     directories.push(PathBuf::new());
+    finish(context, directories, options)
+}
+
+/// The last stage; files are looked for in these directories.
+fn finish(
+    context: Context,
+    directories: Vec<PathBuf>,
+    options: &LoadOptions,
+) -> Result<Loaded, Problem> {
+    for (span, message) in &context.graph.warnings {
+        context.warn(*span, message);
+    }
     let (scene, sensors) = lower(&context, directories, options.sensor.as_ref())?;
     let files = context.files.take();
     Ok(Loaded {

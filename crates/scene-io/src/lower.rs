@@ -5,6 +5,8 @@ mod colour;
 mod curve;
 mod emitter;
 mod film;
+mod gltf_source;
+mod gltf_texture;
 mod instance;
 mod integrator;
 mod lowering;

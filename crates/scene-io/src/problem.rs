@@ -4,7 +4,7 @@
 use capwalk_scene::SceneError;
 
 use crate::error::{Diagnostic, LoadError};
-use crate::mesh::MeshFileError;
+use crate::mesh::{MeshFault, MeshFileError};
 use crate::texts::{FileId, Span, Texts};
 
 /// An error without a line and a column yet; [`Problem::locate`] adds them.
@@ -99,6 +99,20 @@ impl Problem {
         let message = format!("\"{name}\"{place}: {}", fault.message);
         let help = fault.help.clone();
         Self::new(Place::Span(span), Kind::Mesh(error), message).help(help)
+    }
+
+    /// An error in a glTF file that is the scene.
+    pub fn gltf(file: FileId, error: MeshFileError) -> Self {
+        let MeshFault {
+            place,
+            message,
+            help,
+        } = error.fault().clone();
+        let message = match place.to_string() {
+            whole if whole.is_empty() => message,
+            place => format!("{place}: {message}"),
+        };
+        Self::new(Place::File(file), Kind::Mesh(error), message).help(help)
     }
 
     pub fn scene(span: Span, error: SceneError) -> Self {

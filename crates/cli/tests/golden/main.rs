@@ -6,6 +6,11 @@
 //! `cargo test -p capwalk-cli --test golden <scene>` runs one; `cargo xtask parity
 //! --golden <scene>` has Mitsuba make it again.
 
+#[allow(dead_code, reason = "the room needs a part of it")]
+#[path = "../../../scene-io/tests/reading/gltf_file.rs"]
+mod gltf_file;
+#[path = "../../../scene-io/tests/reading/gltf_room.rs"]
+mod gltf_room;
 mod statistics;
 
 use std::path::{Path, PathBuf};
@@ -61,6 +66,7 @@ scenes! {
     gaussian_border
     glass_rough
     glass_smooth
+    gltf_room
     instances
     lamps_hidden
     lamps_hidden_direct
@@ -133,14 +139,39 @@ fn parity() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/parity")
 }
 
-/// Renders a scene and compares; writes what differs.
+/// A room as a `.glb`, beside what Mitsuba makes of the same room in its own XML.
+#[test]
+fn gltf_room_as_glb() {
+    let out = folder("gltf_room_as_glb");
+    let (document, json) = gltf_room::room(&parity());
+    let glb = out.join("room.glb");
+    std::fs::write(&glb, document.binary(&json)).expect("the build folder is writable");
+    compare(
+        "gltf_room",
+        &glb,
+        &out,
+        &["--size", "36x36", "--filter", "box"],
+    );
+}
+
+/// Renders a scene and compares.
 fn run(name: &str) {
-    let out = Path::new(env!("CARGO_TARGET_TMPDIR"))
-        .join("golden")
-        .join(name);
+    let scene = parity().join(format!("{name}.xml"));
+    compare(name, &scene, &folder(name), &[]);
+}
+
+/// The folder for what a test writes.
+fn folder(name: &str) -> PathBuf {
+    let tests = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden");
+    let out = tests.join(name);
     std::fs::create_dir_all(&out).expect("the build folder is writable");
+    out
+}
+
+/// Renders a scene with these options and compares with a golden image; writes what differs.
+fn compare(name: &str, scene: &Path, out: &Path, options: &[&str]) {
     let file = out.join("capwalk.npz");
-    render(&parity().join(format!("{name}.xml")), &file);
+    render(scene, &file, options);
     let ours = image::read(&file).expect("our own image");
     let golden = parity().join(format!("golden/{name}.npz"));
     let golden = image::read(&golden).expect("a golden image");
@@ -176,10 +207,11 @@ fn run(name: &str) {
 }
 
 /// Renders a scene with the command that is being tested.
-fn render(scene: &Path, image: &Path) {
+fn render(scene: &Path, image: &Path, options: &[&str]) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_capwalk"));
     let command = command.arg("render").arg(scene).arg("-o").arg(image);
     let command = command.args(["--spp", &SPP.to_string(), "--seed", &SEED.to_string()]);
+    let command = command.args(options);
     let done = command.output().expect("it starts");
     let errors = String::from_utf8_lossy(&done.stderr);
     assert!(done.status.success(), "{errors}");

@@ -10,6 +10,7 @@ use capwalk_scene::{Emitter, Material, Quantity, Shape, Texture, TextureId};
 use super::places::Places;
 use super::sphere_division::SphereDivision;
 use crate::fields::Context;
+use crate::names::Names;
 use crate::node::{Kind, NodeId};
 use crate::texts::Span;
 
@@ -42,36 +43,6 @@ pub(super) struct Lowering<'a> {
     pub material_ids: Names,
     pub emitter_ids: Names,
     pub places: Places,
-}
-
-/// Names that are taken.
-#[derive(Default)]
-pub(super) struct Names {
-    taken: BTreeSet<String>,
-    /// The last number that was put behind a name; smaller ones are taken.
-    last: BTreeMap<String, u64>,
-}
-
-impl Names {
-    /// Keeps made up names from being this one.
-    pub fn reserve(&mut self, name: &str) {
-        self.taken.insert(name.to_owned());
-    }
-
-    /// The name itself, or with `_2`, `_3` ... behind it if it is taken.
-    pub fn make_unique(&mut self, name: &str) -> String {
-        if self.taken.insert(name.to_owned()) {
-            return name.to_owned();
-        }
-        let last = self.last.entry(name.to_owned()).or_insert(1);
-        loop {
-            *last += 1;
-            let numbered = format!("{name}_{last}");
-            if self.taken.insert(numbered.clone()) {
-                return numbered;
-            }
-        }
-    }
 }
 
 impl<'a> Lowering<'a> {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use super::lowering::Lowering;
 use crate::fields::Fields;
 use crate::files::find_file;
-use crate::mesh::{GltfChoice, GltfName, MeshFile, read_gltf, read_obj, read_ply, read_serialized};
+use crate::mesh::{GltfChoice, GltfName, MeshFile, read_obj, read_ply, read_serialized};
 use crate::node::PropertyValue;
 use crate::problem::Problem;
 use crate::texts::Span;
@@ -48,30 +48,33 @@ impl Lowering<'_> {
                 None => problem.help("convert the mesh to .ply or .obj"),
             });
         }
-        let (bytes, path, _) = self.file(fields, &example)?;
-        let shown = path.display();
-        let mesh = match plugin {
-            "obj" => read_obj(&bytes, want_normals),
-            "serialized" => {
-                let index = fields.count("shape_index", 0, 0)?;
-                read_serialized(&bytes, index, want_normals)
-            }
+        let (mesh, path) = match plugin {
             "gltf" => {
                 let choice = GltfChoice {
                     node: gltf_name(fields, "node")?,
                     mesh: gltf_name(fields, "mesh")?,
                     primitive: fields.optional_count("primitive", 0)?,
                 };
-                let beside = |name: &str| {
-                    let path = path.parent().unwrap_or(Path::new("")).join(name);
-                    self.context.read(&path).map_err(|error| error.to_string())
-                };
-                read_gltf(&bytes, &choice, want_normals, &beside)
+                let source = self.gltf(fields, &example)?;
+                let open = |name: &str| source.open(name);
+                let mesh = source.file.primitive(&choice, want_normals, &open);
+                (mesh, source.path)
             }
-            _ => read_ply(&bytes, want_normals),
+            _ => {
+                let (bytes, path, _) = self.file(fields, &example)?;
+                let mesh = match plugin {
+                    "obj" => read_obj(&bytes, want_normals),
+                    "serialized" => {
+                        let index = fields.count("shape_index", 0, 0)?;
+                        read_serialized(&bytes, index, want_normals)
+                    }
+                    _ => read_ply(&bytes, want_normals),
+                };
+                (mesh, path)
+            }
         };
-        let name = shown.to_string();
-        let mesh = mesh.map_err(|error| Problem::mesh(span, &name, error))?;
+        let shown = path.display().to_string();
+        let mesh = mesh.map_err(|error| Problem::mesh(span, &shown, error))?;
         for warning in &mesh.warnings {
             let message = format!("\"{shown}\" {warning}");
             self.context.warn(span, &message);
@@ -98,20 +101,29 @@ impl Lowering<'_> {
         filename: &str,
         span: Span,
     ) -> Result<(Vec<u8>, PathBuf), Problem> {
+        let path = self.find(filename, span)?;
+        Ok((self.read(&path, span)?, path))
+    }
+
+    /// The path of the file with this name, which stands at `span`.
+    pub(super) fn find(&self, filename: &str, span: Span) -> Result<PathBuf, Problem> {
         let mut directories = self.directories.clone();
         let own = &self.context.texts.get(span.file).directory;
         if !directories.contains(own) {
             directories.push(own.clone());
         }
-        let path = find_file(filename, &directories).map_err(|error| {
+        find_file(filename, &directories).map_err(|error| {
             Problem::unreadable(span, error).help("give the file relative to the scene file")
-        })?;
-        let bytes = self.context.read(&path).map_err(|error| {
+        })
+    }
+
+    /// The bytes of a file that is named at `span`.
+    pub(super) fn read(&self, path: &Path, span: Span) -> Result<Vec<u8>, Problem> {
+        self.context.read(path).map_err(|error| {
             let shown = path.display();
             Problem::unreadable(span, format!("cannot read \"{shown}\": {error}"))
                 .help("give a file that can be read")
-        })?;
-        Ok((bytes, path))
+        })
     }
 }
 
@@ -123,7 +135,7 @@ fn gltf_name(fields: &Fields, property: &'static str) -> Result<Option<GltfName>
     Ok(fields.optional_count(property, 0)?.map(GltfName::Index))
 }
 
-fn named_file<'a>(fields: &Fields<'a>, example: &str) -> Result<&'a str, Problem> {
+pub(super) fn named_file<'a>(fields: &Fields<'a>, example: &str) -> Result<&'a str, Problem> {
     fields.string("filename")?.ok_or_else(|| {
         let message = format!("{} names no file", fields.title());
         Problem::missing(fields.node.span, message).help(example)

@@ -1,4 +1,5 @@
-//! Textures: one colour or number, `bitmap`, `checkerboard`, `mesh_attribute`.
+//! Textures: one colour or number, `bitmap`, `checkerboard`, `mesh_attribute`; `gltf_texture` has
+//! a file of its own.
 
 use capwalk_math::{Affine, Rgb};
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
@@ -7,14 +8,14 @@ use capwalk_scene::{Pattern, Quantity, Texture, TextureId};
 use super::colour::is_light;
 use super::lowering::Lowering;
 use super::spectrum_plugin::{SPECTRA, depends_on_use};
-use crate::bitmap::{self, BitmapFile, BitmapUse};
+use crate::bitmap::{self, BitmapFile, BitmapUse, Channels};
 use crate::fields::Fields;
 use crate::node::{Kind, NodeId, Property, PropertyValue, Spectrum};
 use crate::problem::Problem;
 use crate::texts::Span;
 
 /// Values of `type` that are read, besides those of spectra.
-const TEXTURES: [&str; 3] = ["bitmap", "checkerboard", "mesh_attribute"];
+const TEXTURES: [&str; 4] = ["bitmap", "checkerboard", "mesh_attribute", "gltf_texture"];
 
 /// Textures that are not read, and what to do instead.
 const REFUSED: [(&str, &str); 1] = [(
@@ -134,6 +135,7 @@ impl Lowering<'_> {
                 return Ok(texture);
             }
             "bitmap" => self.bitmap(&fields, id)?,
+            "gltf_texture" => self.gltf_texture(&fields, id)?,
             "checkerboard" => (self.checkerboard(&fields, id, quantity)?, fields.node.span),
             "mesh_attribute" => (mesh_attribute(&fields, id)?, fields.span_of("name")),
             _ => return Err(fields.refused_plugin(&[&TEXTURES[..], &SPECTRA].concat(), &REFUSED)),
@@ -191,13 +193,14 @@ impl Lowering<'_> {
         let (bytes, path, span) = self.file(fields, example)?;
         let ending = path.extension().and_then(|ending| ending.to_str());
         let ending = ending.unwrap_or("").to_ascii_lowercase();
-        let file = bitmap::read(&bytes, &ending, raw, becomes).map_err(|error| {
-            let shown = path.display();
-            Problem::image(span, format!("cannot read \"{shown}\": {error}")).help(format!(
-                "give an image file that ends in {}",
-                bitmap::ENDINGS.join(", ")
-            ))
-        })?;
+        let file =
+            bitmap::read(&bytes, &ending, raw, Channels::Colour, becomes).map_err(|error| {
+                let shown = path.display();
+                Problem::image(span, format!("cannot read \"{shown}\": {error}")).help(format!(
+                    "give an image file that ends in {}",
+                    bitmap::ENDINGS.join(", ")
+                ))
+            })?;
         Ok((file, span))
     }
 
@@ -285,7 +288,7 @@ pub(super) fn choice<'a>(
     }
 }
 
-fn uv_transform(fields: &Fields) -> Result<UvTransform, Problem> {
+pub(super) fn uv_transform(fields: &Fields) -> Result<UvTransform, Problem> {
     let affine = match fields.get("to_uv") {
         None => Affine::IDENTITY,
         Some(_) => fields.transform("to_uv")?,

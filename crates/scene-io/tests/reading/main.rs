@@ -13,6 +13,8 @@ mod emitters;
 mod gltf;
 mod gltf_bad;
 mod gltf_file;
+mod gltf_room;
+mod gltf_scenes;
 mod materials;
 mod meaning;
 mod mesh_files;

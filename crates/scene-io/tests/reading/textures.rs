@@ -285,7 +285,7 @@ fn bad_bitmaps() {
         &textured("<texture name=\"reflectance\" type=\"bitmpa\"/>"),
         &[
             "scene.xml:5:86: unknown texture plugin \"bitmpa\"",
-            "  known texture plugins: bitmap, checkerboard, mesh_attribute, blackbody, d65, irregular, rawconstant, regular, srgb, uniform",
+            "  known texture plugins: bitmap, checkerboard, mesh_attribute, gltf_texture, blackbody, d65, irregular, rawconstant, regular, srgb, uniform",
             "  did you mean \"bitmap\"?",
         ],
     );
