@@ -1,6 +1,6 @@
-//! Reading and writing files: scenes in Mitsuba's XML and glTF, meshes in OBJ, PLY, glTF and `.serialized`,
-//! images, and arrays for NumPy. Reading is strict: a property that is not supported is an error
-//! with its place.
+//! Reading and writing files: scenes in Mitsuba's XML and glTF, meshes in OBJ, PLY, glTF and
+//! `.serialized`, images, and arrays for NumPy. Reading is strict: a property that is not supported
+//! is an error with its place.
 //!
 //! `docs/scene-files.md` describes the supported parts of XML and glTF. [`toml`] reads jobs,
 //! [`export`] writes scenes, [`image`] and [`arrays`] read and write images and numbers. The stages
