@@ -15,6 +15,7 @@ mod gltf_bad;
 mod gltf_file;
 mod gltf_room;
 mod gltf_scenes;
+mod gltf_scenes_bad;
 mod materials;
 mod meaning;
 mod mesh_files;
