@@ -1,6 +1,6 @@
 //! Numbers of materials that have no finite derivative where they are.
 
-use capwalk_scene::plain::Numbers;
+use capwalk_scene::plain::AskedNumbers;
 use capwalk_scene::{Bsdf, Scene, TextureId};
 
 use crate::refusal::Refusal;
@@ -12,7 +12,7 @@ pub fn refuse_infinite_derivatives(
     is_asked_for: impl Fn(TextureId) -> bool,
 ) -> Result<(), Refusal> {
     for shape in &scene.shapes {
-        let numbers = Numbers {
+        let numbers = AskedNumbers {
             texture: &|id| scene.texture(scene.numbers_of(id, shape)),
             is_asked_for: &|id| is_asked_for(scene.numbers_of(id, shape)),
         };

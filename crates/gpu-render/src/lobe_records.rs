@@ -2,7 +2,7 @@
 
 use capwalk_boundary::Accel;
 use capwalk_geometry::buffers::NONE;
-use capwalk_scene::fields::{Choice, FieldList};
+use capwalk_scene::fields::{FieldChoice, FieldList};
 use capwalk_scene::lobe::{Distribution, Lobe, RoughTransmittance};
 use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, TextureId};
 
@@ -43,12 +43,12 @@ pub fn add_lobe(
         .coat(id)
         .map_or(NONE, |coat| add_coat(coat, words));
     let is_chosen = |choice| choices.iter().any(|&(_, chosen)| chosen == choice);
-    let is_ggx = is_chosen(Choice::Word(Distribution::Ggx.name()));
+    let is_ggx = is_chosen(FieldChoice::Word(Distribution::Ggx.name()));
     let at = words.len() as u32;
     let head: [u32; FIRST_SLOT] = record(&[
         (0, kind as u32),
         (DISTRIBUTION, if is_ggx { GGX } else { BECKMANN } as u32),
-        (IS_NONLINEAR, is_chosen(Choice::Flag(true)).into()),
+        (IS_NONLINEAR, is_chosen(FieldChoice::Flag(true)).into()),
         (COAT, coat),
         (SLOTS, slots.len() as u32),
     ]);

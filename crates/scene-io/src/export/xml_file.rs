@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::BsdfId;
-use capwalk_scene::fields::Choice;
+use capwalk_scene::fields::FieldChoice;
 use capwalk_scene::texture::{TexelFilter, UvTransform, Wrap};
 use capwalk_scene::{
     Bsdf, Emitter, Film, Filter, Integrator, Optic, Pattern, SamplerKind, Scene, Sensor,
@@ -241,8 +241,8 @@ impl Writer<'_> {
         }
         for (name, choice) in list.choices {
             match choice {
-                Choice::Flag(is_so) => self.xml.property("boolean", name, is_so),
-                Choice::Word(word) => self.xml.property("string", name, word),
+                FieldChoice::Flag(is_so) => self.xml.property("boolean", name, is_so),
+                FieldChoice::Word(word) => self.xml.property("string", name, word),
             }
         }
         for (_, part) in different_parts(&material.bsdf) {

@@ -3,7 +3,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::fields::{Choice, FieldList};
+use super::fields::{FieldChoice, FieldList};
 use super::lobe::list::{Lobe, Stored};
 use crate::ids::{BsdfId, TextureId};
 use crate::quantity::Quantity;
@@ -102,8 +102,14 @@ impl Bsdf {
         use Quantity::{Fraction, Height, Normal, SignedFactor};
         let mut list = FieldList::default();
         let limited = |list: &mut FieldList, limits: &NormalLimits| {
-            list.choice("flip_invalid_normals", Choice::Flag(limits.flip_invalid));
-            list.choice("use_shadowing_function", Choice::Flag(limits.shadowing));
+            list.choice(
+                "flip_invalid_normals",
+                FieldChoice::Flag(limits.flip_invalid),
+            );
+            list.choice(
+                "use_shadowing_function",
+                FieldChoice::Flag(limits.shadowing),
+            );
         };
         match self {
             Self::Plain(lobe) => return lobe.list(),

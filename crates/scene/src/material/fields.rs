@@ -131,12 +131,12 @@ pub struct FieldList {
     /// Its textures.
     pub slots: Vec<Slot>,
     /// What else is declared of it.
-    pub choices: Vec<(&'static str, Choice)>,
+    pub choices: Vec<(&'static str, FieldChoice)>,
 }
 
 /// What stands in a material and is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Choice {
+pub enum FieldChoice {
     /// Yes or no.
     Flag(bool),
     /// One of several words.
@@ -154,7 +154,7 @@ impl FieldList {
     }
 
     /// Adds what is no number.
-    pub fn choice(&mut self, name: &'static str, it: Choice) {
+    pub fn choice(&mut self, name: &'static str, it: FieldChoice) {
         self.choices.push((name, it));
     }
 
@@ -198,11 +198,11 @@ impl FieldList {
     }
 
     pub(super) fn distribution(&mut self, name: &'static str, it: Distribution) {
-        self.choice(name, Choice::Word(it.name()));
+        self.choice(name, FieldChoice::Word(it.name()));
     }
 
     pub(super) fn flag(&mut self, name: &'static str, _: bool, it: bool) {
-        self.choice(name, Choice::Flag(it));
+        self.choice(name, FieldChoice::Flag(it));
     }
 }
 

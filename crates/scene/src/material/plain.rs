@@ -53,7 +53,7 @@ pub(super) trait InScene: Plain {
     }
 
     /// A number that is asked for and has no finite derivative somewhere, and why.
-    fn infinite_derivative(&self, _numbers: &Numbers) -> Option<(&'static str, &'static str)> {
+    fn infinite_derivative(&self, _numbers: &AskedNumbers) -> Option<(&'static str, &'static str)> {
         None
     }
 }
@@ -95,14 +95,14 @@ pub struct RoughCoat {
 }
 
 /// The textures of a material as a shape has them, and which of them derivatives are asked for by.
-pub struct Numbers<'a> {
+pub struct AskedNumbers<'a> {
     /// The texture in the place of another one.
     pub texture: TextureOf<'a>,
     /// True if derivatives are asked for by what is in its place.
     pub is_asked_for: &'a dyn Fn(TextureId) -> bool,
 }
 
-impl Numbers<'_> {
+impl AskedNumbers<'_> {
     /// True if some number of a texture is above zero.
     pub(super) fn has(&self, id: TextureId) -> bool {
         (self.texture)(id).data.iter().any(|&x| x > 0.0)

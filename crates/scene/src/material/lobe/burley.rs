@@ -9,7 +9,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 use super::local::lerp;
 use super::microfacets::{Distribution, Microfacets};
 use crate::ids::TextureId;
-use crate::material::plain::Numbers;
+use crate::material::plain::AskedNumbers;
 
 /// Smallest roughness.
 const MIN_ALPHA: f64 = 1e-3;
@@ -60,7 +60,7 @@ pub(super) fn hue<R: Real>(base_color: Rgb<R>) -> Rgb<R> {
 
 /// The colour, if derivatives are asked for by it, it is black somewhere, and a tint takes its hue.
 pub(super) fn hue_of_black(
-    numbers: &Numbers,
+    numbers: &AskedNumbers,
     base_color: TextureId,
     spec_tint: TextureId,
     [sheen, sheen_tint]: [TextureId; 2],

@@ -9,7 +9,7 @@ use crate::ids::TextureId;
 use crate::material::fields::{FieldList, FieldMap, FieldReader};
 use crate::material::number::{Derived, Number};
 use crate::material::plain::{
-    Anisotropy, InScene, Numbers, Plain, RoughCoat, Samples, Scatters, TextureOf,
+    Anisotropy, AskedNumbers, InScene, Plain, RoughCoat, Samples, Scatters, TextureOf,
 };
 
 /// The enum of all, and what each of them answers.
@@ -113,7 +113,7 @@ macro_rules! materials {
             }
 
             /// A number that is asked for and has no finite derivative somewhere, and why.
-            pub fn infinite_derivative(&self, numbers: &Numbers) -> Option<(&'static str, &'static str)> {
+            pub fn infinite_derivative(&self, numbers: &AskedNumbers) -> Option<(&'static str, &'static str)> {
                 match self { $(Self::$name(it) => it.infinite_derivative(numbers),)* }
             }
         }

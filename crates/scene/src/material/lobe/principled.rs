@@ -15,7 +15,9 @@ use super::refraction::{refracted_about, refracting_normal, transmission, transm
 use crate::ids::TextureId;
 use crate::material::fields::{WithoutEffect, fields};
 use crate::material::number::{Circumstances, Derived, Number, PrincipledIndex};
-use crate::material::plain::{Anisotropy, InScene, Numbers, Plain, Samples, Scatters, TextureOf};
+use crate::material::plain::{
+    Anisotropy, AskedNumbers, InScene, Plain, Samples, Scatters, TextureOf,
+};
 
 /// Diffuse base, metal, glass, sheen and a clear coat, blended. All numbers but
 /// `eta` are from 0 to 1.
@@ -92,7 +94,7 @@ impl InScene for Principled<TextureId> {
         !glass.is_constant() || glass.data.iter().any(|&x| x > 0.0)
     }
 
-    fn infinite_derivative(&self, numbers: &Numbers) -> Option<(&'static str, &'static str)> {
+    fn infinite_derivative(&self, numbers: &AskedNumbers) -> Option<(&'static str, &'static str)> {
         if numbers.is_asked_for_at_zero(self.base_color) && numbers.has(self.spec_trans) {
             return Some(("base_color", "glass takes its square root for a tint"));
         }

@@ -14,7 +14,7 @@ use super::microfacets::Microfacets;
 use crate::ids::TextureId;
 use crate::material::fields::{WithoutEffect, fields};
 use crate::material::number::{Circumstances, Derived, Number};
-use crate::material::plain::{Anisotropy, InScene, Numbers, Plain, Samples, Scatters};
+use crate::material::plain::{Anisotropy, AskedNumbers, InScene, Plain, Samples, Scatters};
 
 /// Diffuse reflection and transmission, sheen, and clear facets, blended; the same seen from
 /// both sides. All numbers but `eta` and `diff_trans` are from 0 to 1.
@@ -79,7 +79,7 @@ impl InScene for PrincipledThin<TextureId> {
         Anisotropy::By(self.anisotropic)
     }
 
-    fn infinite_derivative(&self, numbers: &Numbers) -> Option<(&'static str, &'static str)> {
+    fn infinite_derivative(&self, numbers: &AskedNumbers) -> Option<(&'static str, &'static str)> {
         let sheen = [self.sheen, self.sheen_tint];
         burley::hue_of_black(numbers, self.base_color, self.spec_tint, sheen)
     }
