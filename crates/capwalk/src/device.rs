@@ -21,6 +21,17 @@ pub enum Device {
 impl Choice for Device {
     const NAMES: &'static [(&'static str, Self)] =
         &[("auto", Self::Auto), ("cpu", Self::Cpu), ("gpu", Self::Gpu)];
+
+    fn help(self) -> &'static str {
+        match self {
+            Self::Auto => "The GPU if there is one that supports the scene, else the CPU",
+            Self::Cpu => "The CPU",
+            Self::Gpu => {
+                "The GPU, or software Vulkan; refused if it does not support the scene (a build with \
+                 --features gpu)"
+            }
+        }
+    }
 }
 
 /// An image or a derivative, and where it was computed.

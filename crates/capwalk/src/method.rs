@@ -62,12 +62,24 @@ impl MissingName {
 
 impl Choice for MissingName {
     const NAMES: &'static [(&'static str, Self)] = &[("specular", Self::Specular)];
+
+    fn help(self) -> &'static str {
+        match self {
+            Self::Specular => {
+                "The motion of silhouettes and hard shadows that are seen in curved mirrors, through \
+                 refracting glass, or after many reflections"
+            }
+        }
+    }
 }
 
 /// What is chosen by its name.
 pub trait Choice: Copy + PartialEq + 'static {
     /// The choices and their names.
     const NAMES: &'static [(&'static str, Self)];
+
+    /// What it is, in a line.
+    fn help(self) -> &'static str;
 
     /// The choice of this name.
     fn named(name: &str) -> Option<Self> {
@@ -91,11 +103,31 @@ impl Choice for MethodName {
         ("walk", Self::Walk),
         ("edges", Self::Edges),
     ];
+
+    fn help(self) -> &'static str {
+        match self {
+            Self::Auto => {
+                "Whichever of walk and edges a short pilot finds to have less noise: unbiased"
+            }
+            Self::Walk => "Walks on spherical caps: unbiased",
+            Self::Edges => {
+                "Points on edges in front of light and the camera, walks where that cannot be: \
+                 unbiased"
+            }
+        }
+    }
 }
 
 impl Choice for Estimator {
     const NAMES: &'static [(&'static str, Self)] =
         &[("anchored", Self::Anchored), ("literal", Self::Literal)];
+
+    fn help(self) -> &'static str {
+        match self {
+            Self::Anchored => "Relative to the closest silhouette's velocity: finite variance",
+            Self::Literal => "The paper's equation as printed: infinite variance",
+        }
+    }
 }
 
 /// Why options do not go together.

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use capwalk::optimize::parse_duration;
-use capwalk::{Device, SensorChoice, Setting};
+use capwalk::{Device, Estimator, MethodName, MissingName, SensorChoice, Setting};
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
 
 /// Unbiased derivatives of rendered images.
@@ -202,40 +202,28 @@ pub struct MotionArgs {
     pub motion: Vec<(String, PathBuf)>,
 }
 
+/// A method as it is typed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TypedMethod {
+    /// One that differentiates samples.
+    Of(MethodName),
+    /// Central finite differences, for `gradient`.
+    Fd,
+}
+
 /// How derivatives are estimated.
 #[derive(Args, Debug)]
 pub struct MethodArgs {
     /// How discontinuities at edges are accounted for [default: auto; walk if one of its options
     /// is given]
-    #[arg(long)]
-    pub method: Option<MethodName>,
+    #[arg(long, value_parser = parse::method())]
+    pub method: Option<TypedMethod>,
     /// Leave this out of derivatives that would be refused otherwise, compute the rest, and say
     /// how much of the image it concerns; may be repeated or separated by commas
-    #[arg(long, value_name = "WHAT", value_delimiter = ',')]
-    pub allow_missing: Vec<MissingArg>,
+    #[arg(long, value_name = "WHAT", value_delimiter = ',', value_parser = parse::choice::<MissingName>())]
+    pub allow_missing: Vec<MissingName>,
     #[command(flatten)]
     pub walk: WalkArgs,
-}
-
-/// Methods by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MethodName {
-    /// Whichever of `walk` and `edges` a short pilot finds to have less noise: unbiased
-    Auto,
-    /// Walks on spherical caps: unbiased
-    Walk,
-    /// Points on edges in front of light and the camera, walks where that cannot be: unbiased
-    Edges,
-    /// Central finite differences, for `gradient`
-    Fd,
-}
-
-/// What may be missing, by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MissingArg {
-    /// How silhouettes move that are seen in curved mirrors, through refracting glass, or after
-    /// many reflections
-    Specular,
 }
 
 /// How the velocity field is estimated with `--method walk`, and where `edges` walks.
@@ -245,8 +233,8 @@ pub struct WalkArgs {
     #[arg(long, value_name = "M", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub walk_steps: Option<u32>,
     /// Estimator of the field's divergence [default: anchored]
-    #[arg(long)]
-    pub estimator: Option<EstimatorName>,
+    #[arg(long, value_parser = parse::choice::<Estimator>())]
+    pub estimator: Option<Estimator>,
     /// Angular cutoff: ignore silhouettes farther than this, degrees; unbiased for
     /// every value, smaller is faster, larger gives a smoother field [default for walk: found by a
     /// pilot, at most 11.5]
@@ -255,15 +243,6 @@ pub struct WalkArgs {
     /// Average each rim sample with the one on the other side of the cap
     #[arg(long)]
     pub antithetic: bool,
-}
-
-/// Estimators by name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum EstimatorName {
-    /// Relative to the closest silhouette's velocity: finite variance
-    Anchored,
-    /// The paper's equation as printed: infinite variance
-    Literal,
 }
 
 #[derive(Args, Debug)]
@@ -278,32 +257,10 @@ pub struct Render {
     #[arg(long)]
     pub adaptive: bool,
     /// Where to render: equal seeds give equal bits on one device
-    #[arg(long, value_name = "DEVICE", default_value = "cpu")]
-    pub device: DeviceName,
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = parse::choice::<Device>())]
+    pub device: Device,
     #[command(flatten)]
     pub output: OutputArgs,
-}
-
-/// Devices by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DeviceName {
-    /// The GPU if there is one and it has all that the scene needs, else the processor
-    Auto,
-    /// The processor
-    Cpu,
-    /// The GPU, or software Vulkan; refused if it has not all that the scene needs (a build with
-    /// --features gpu)
-    Gpu,
-}
-
-impl From<DeviceName> for Device {
-    fn from(name: DeviceName) -> Self {
-        match name {
-            DeviceName::Auto => Self::Auto,
-            DeviceName::Cpu => Self::Cpu,
-            DeviceName::Gpu => Self::Gpu,
-        }
-    }
 }
 
 #[derive(Args, Debug)]
@@ -337,8 +294,8 @@ pub struct GradientOn {
     #[command(flatten)]
     pub gradient: Gradient,
     /// Where to compute: equal seeds give equal bits on one device
-    #[arg(long, value_name = "DEVICE", default_value = "cpu")]
-    pub device: DeviceName,
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = parse::choice::<Device>())]
+    pub device: Device,
 }
 
 /// What is differentiated.
@@ -392,9 +349,9 @@ pub struct Backward {
     #[command(flatten)]
     pub sampling: SamplingArgs,
     /// Where to compute: equal seeds give equal bits on one device. The image that a --loss is of is
-    /// rendered by the processor
-    #[arg(long, value_name = "DEVICE", default_value = "cpu")]
-    pub device: DeviceName,
+    /// rendered by the CPU
+    #[arg(long, value_name = "DEVICE", default_value = "cpu", value_parser = parse::choice::<Device>())]
+    pub device: Device,
     /// Output file (.npz)
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,

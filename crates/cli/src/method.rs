@@ -5,25 +5,22 @@ use capwalk::{
     Caveat, Choice, Chosen, GradientOptions, Method, MethodChoice, MethodName, MissingName,
     OptionError, RenderOptions, Trial, WalkChoice, caveat,
 };
-use clap::ValueEnum;
-
 use serde_json::{Value, json};
 
-use crate::args::{self, MethodArgs};
+use crate::args::{MethodArgs, TypedMethod};
 use crate::report;
 
 /// How to estimate a gradient, by a method that differentiates samples.
 pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOptions> {
     refuse_options_of_others(args)?;
-    let Some(method) = MethodName::named(&name(&typed(args))) else {
+    let TypedMethod::Of(method) = typed(args) else {
         bail!(
             "finite differences give the derivative of an image with respect to one parameter. \
              Use `capwalk gradient --method fd -p NAME` for each parameter"
         );
     };
-    let allowed: Vec<MissingName> = args.allow_missing.iter().map(named).collect();
     let options = GradientOptions {
-        allow_missing: MissingName::allow(&allowed),
+        allow_missing: MissingName::allow(&args.allow_missing),
         ..GradientOptions::new(sampling)
     };
     Ok(choice(method, args).apply(options)?)
@@ -32,17 +29,17 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
 /// An error if an option is there that the method has no use for.
 pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
     let typed = typed(args);
-    let refused = match MethodName::named(&name(&typed)) {
-        Some(method) => match choice(method, args).resolve() {
+    let refused = match typed {
+        TypedMethod::Of(method) => match choice(method, args).resolve() {
             Err(OptionError::OfAnotherMethod { option, owner, .. }) => Some((option, owner)),
             Err(other) => return Err(other.into()),
             Ok(_) => None,
         },
         // Differences have no options.
-        None => choice(MethodName::default(), args).given(),
+        TypedMethod::Fd => choice(MethodName::default(), args).given(),
     };
     ensure!(
-        args.allow_missing.is_empty() || name(&typed) != name(&args::MethodName::Fd),
+        args.allow_missing.is_empty() || typed != TypedMethod::Fd,
         "--allow-missing is for methods that differentiate samples: finite differences miss \
          nothing. Leave it out"
     );
@@ -54,7 +51,7 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         "--{} belongs to the method {owner}, and the method is {}. Leave it out, or say \
          --method {owner}",
         flag(option),
-        name(&typed),
+        typed.name(),
     ))
 }
 
@@ -70,31 +67,30 @@ fn choice(method: MethodName, args: &MethodArgs) -> MethodChoice {
     let walk = &args.walk;
     let walk = WalkChoice {
         steps: walk.walk_steps,
-        estimator: walk.estimator.as_ref().map(named),
+        estimator: walk.estimator,
         max_angle: walk.max_angle,
         antithetic: walk.antithetic.then_some(true),
     };
     MethodChoice { method, walk }
 }
 
-/// The library's choice of the name that was typed.
-fn named<T: Choice>(typed: &impl ValueEnum) -> T {
-    T::named(&name(typed)).expect("names are those of the library, as a test says")
-}
-
 /// The method that was typed, or that the options ask for: those of walks ask for one.
-pub fn typed(args: &MethodArgs) -> args::MethodName {
+pub fn typed(args: &MethodArgs) -> TypedMethod {
     let walks = choice(MethodName::Walk, args).has_own();
-    args.method.unwrap_or(match walks {
-        true => args::MethodName::Walk,
-        false => args::MethodName::Auto,
-    })
+    args.method.unwrap_or(TypedMethod::Of(match walks {
+        true => MethodName::Walk,
+        false => MethodName::Auto,
+    }))
 }
 
-/// The name as it is typed.
-pub fn name(value: &impl ValueEnum) -> String {
-    let value = value.to_possible_value();
-    value.map_or_else(String::new, |value| value.get_name().to_owned())
+impl TypedMethod {
+    /// The name as it is typed.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Of(method) => method.name(),
+            Self::Fd => "fd",
+        }
+    }
 }
 
 /// What the root of the number of pieces of edges before an emitter is multiplied by to give the
@@ -179,27 +175,5 @@ pub fn remark(options: &GradientOptions) -> String {
             "{method} is biased: its standard errors do not bound its errors. `capwalk check` \
              measures how wrong it is\n"
         ),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use capwalk::Estimator;
-
-    /// Everything that can be typed has a meaning, and the other way round.
-    #[test]
-    fn names_are_those_of_the_library() {
-        fn same<T: Choice, A: ValueEnum>(only_typed: &[&str]) {
-            let typed = A::value_variants().iter();
-            let offered = typed.filter_map(ValueEnum::to_possible_value);
-            let offered: Vec<String> = offered.map(|value| value.get_name().into()).collect();
-            let known = T::NAMES.iter().map(|(name, _)| *name);
-            let known: Vec<&str> = known.chain(only_typed.iter().copied()).collect();
-            assert_eq!(offered, known);
-        }
-        same::<MethodName, args::MethodName>(&["fd"]);
-        same::<MissingName, args::MissingArg>(&[]);
-        same::<Estimator, args::EstimatorName>(&[]);
     }
 }

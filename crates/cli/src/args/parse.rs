@@ -3,6 +3,31 @@
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 
+use capwalk::{Choice, MethodName};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+use super::TypedMethod;
+
+/// What the library calls by a name.
+pub fn choice<T: Choice + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    let known = |name: String| T::named(&name).expect("one of the possible values");
+    PossibleValuesParser::new(values::<T>()).map(known)
+}
+
+/// A method of the library, or finite differences.
+pub fn method() -> impl TypedValueParser<Value = TypedMethod> {
+    let fd = PossibleValue::new(TypedMethod::Fd.name());
+    let fd = fd.help("Central finite differences, for `gradient`");
+    let values = values::<MethodName>().chain([fd]);
+    let typed = |name: String| MethodName::named(&name).map_or(TypedMethod::Fd, TypedMethod::Of);
+    PossibleValuesParser::new(values).map(typed)
+}
+
+fn values<T: Choice>() -> impl Iterator<Item = PossibleValue> {
+    let values = T::NAMES.iter();
+    values.map(|&(name, choice)| PossibleValue::new(name).help(choice.help()))
+}
+
 /// A name and its value, from `NAME=VALUE`.
 pub fn define(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {

@@ -19,6 +19,7 @@ use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::progress::{self, Progress};
 use crate::{console, method, output, report, source};
+use clap::ValueEnum;
 
 /// One of so many parts of a time limit is for the image that a loss is of: samples of
 /// its gradient take several times as long.
@@ -56,9 +57,8 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         .map_or(&given, |loss| &loss.image.measured.adjoint);
     let rest = progress::left_of(args.sampling.time_limit);
     let progress = Progress::new("gradient", rest);
-    let differentiate = |names: &[String]| {
-        prepared.backward_on(args.device.into(), adjoint, names, &options, &progress)
-    };
+    let differentiate =
+        |names: &[String]| prepared.backward_on(args.device, adjoint, names, &options, &progress);
     let mut result = differentiate(&names);
     // Nobody asked for what is refused because of other arrays that move.
     let mut left_out = None;
@@ -305,7 +305,8 @@ impl MeasuredLoss {
 
     /// Its name as typed.
     fn name(&self) -> String {
-        method::name(&self.name)
+        let value = self.name.to_possible_value();
+        value.map_or_else(String::new, |value| value.get_name().to_owned())
     }
 }
 

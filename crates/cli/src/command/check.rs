@@ -10,7 +10,7 @@ use capwalk::{
 };
 use serde_json::{Value, json};
 
-use crate::args::{self, MethodName};
+use crate::args::{self, TypedMethod};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::Files;
@@ -30,7 +30,7 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
     let stem = format!("{}-check", source::stem(&typed.scene));
     let files = Files::new(&typed.output.output, &stem, &["png"], &read)?;
     ensure!(
-        method::typed(&typed.method) != MethodName::Fd,
+        method::typed(&typed.method) != TypedMethod::Fd,
         "check compares with finite differences: with --method fd there is nothing to check. Use \
          another method, or `compare` for images of `gradient` with different steps"
     );

@@ -2,10 +2,10 @@
 
 use anyhow::{Result, bail, ensure};
 use capwalk::scene_io::image::LayeredImage;
-use capwalk::{Chosen, DifferenceOptions, GradientImage, RenderOptions};
+use capwalk::{Chosen, Device, DifferenceOptions, GradientImage, RenderOptions};
 use serde_json::json;
 
-use crate::args::{DeviceName, Gradient, GradientOn, MethodName, SceneArgs};
+use crate::args::{Gradient, GradientOn, SceneArgs, TypedMethod};
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::output::{self, Files};
@@ -34,8 +34,7 @@ pub fn run(
     let mut place = Place::default();
     let result = match &mut way {
         Way::Samples(chosen) => {
-            let device = (*device).into();
-            let found = prepared.gradient_on(device, &tangent, &chosen.options, &progress);
+            let found = prepared.gradient_on(*device, &tangent, &chosen.options, &progress);
             found.map(|found| {
                 place = Place {
                     adapter: found.adapter,
@@ -47,7 +46,7 @@ pub fn run(
                 found.result
             })
         }
-        Way::Differences { .. } if *device == DeviceName::Gpu => {
+        Way::Differences { .. } if *device == Device::Gpu => {
             bail!("--method fd has no GPU: leave out --device, or take another method")
         }
         Way::Differences { step } => {
@@ -147,7 +146,7 @@ impl Way {
         default_step: impl Fn() -> f64,
     ) -> Result<Self> {
         let typed = method::typed(&args.method);
-        if typed == MethodName::Fd {
+        if typed == TypedMethod::Fd {
             method::refuse_options_of_others(&args.method)?;
             let step = args.step.unwrap_or_else(default_step);
             return Ok(Self::Differences { step });
@@ -156,7 +155,7 @@ impl Way {
             args.step.is_none(),
             "--step is for finite differences, but the method is {}. Leave it out, or use \
              --method fd",
-            method::name(&typed)
+            typed.name()
         );
         Ok(Self::Samples(Chosen {
             options: method::options(options, &args.method)?,

@@ -23,7 +23,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let files = Files::new(&args.output.output, &stem, &["exr", "png"], &read)?;
 
     let progress = Progress::new("render", progress::left_of(args.sampling.time_limit));
-    let found = prepared.render_on(args.device.into(), &options, &progress)?;
+    let found = prepared.render_on(args.device, &options, &progress)?;
     let elapsed = progress.finish().as_secs_f64();
     if let Some(remark) = &found.remark {
         console::remark(&format!("{remark}\n"));
