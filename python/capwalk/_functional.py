@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -17,10 +17,7 @@ from ._numbers import Array
 from ._options import LARGEST_COUNT, LARGEST_SEED, Options, check_names, checked, integer
 from ._parameters import check_apart
 from .errors import ArgumentError, ParameterError, Refused
-from .options import FunctionOptions, MethodOptions
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
+from .options import FunctionOptions, MethodOptions, Unpack
 
 Scene = _capwalk.Scene
 

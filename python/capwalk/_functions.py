@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,10 +17,7 @@ from ._options import LARGEST_COUNT, check_names, checked, integer
 from ._progress import shown
 from ._results import Check, Gradients, Picture, Slope
 from .errors import ArgumentError, DeviceWarning, SceneWarning, UnreliableWarning
-from .options import CheckOptions, GradientOptions, RenderOptions
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
+from .options import CheckOptions, GradientOptions, RenderOptions, Unpack
 
 Scene = _capwalk.Scene
 Along = str | Mapping[str, ArrayLike]

@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import closing
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,10 +21,7 @@ from ._parts import Asked, Job
 from ._progress import shown
 from ._results import Gradients, Picture, Slope
 from .errors import ArgumentError
-from .options import ImageOptions, PartsOptions, Sensor, ViewGradientsOptions, ViewsOptions
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
+from .options import ImageOptions, PartsOptions, Sensor, ViewGradientsOptions, ViewsOptions, Unpack
 
 MOST_PARTS = 64
 """16 batches of samples of 4 bands of pixels are not cut further."""

@@ -20,7 +20,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import jax  # type: ignore[import-not-found, unused-ignore]
 import jax.numpy as jnp  # type: ignore[import-not-found, unused-ignore]
@@ -33,10 +33,7 @@ from . import _capwalk
 from ._functional import Work, check_seeds, second_derivative, seeds
 from ._options import LARGEST_SEED, integer
 from .errors import ArgumentError
-from .options import FunctionOptions
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
+from .options import FunctionOptions, Unpack
 
 __all__ = ["render"]
 

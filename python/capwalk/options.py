@@ -12,11 +12,25 @@ of a function that passes them on::
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Sequence
-from typing import TypedDict
+from typing import TYPE_CHECKING, TypedDict
 
 from ._method import Method
 from ._progress import Progress
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack as Unpack
+elif sys.version_info >= (3, 11):
+    from typing import Unpack
+else:
+
+    class Unpack:
+        """Stands for that of ``typing`` where there is none, for those who ask for the types."""
+
+        def __class_getitem__(cls, keywords):
+            return keywords
+
 
 Sensor = int | str
 """A sensor of a scene, by number from 0 or by name."""
@@ -48,7 +62,7 @@ class MethodOptions(TypedDict, total=False):
     """``"auto"``, the default, chooses the method with the least variance × time, which is
     ``"walk"`` (the paper's) or ``"edges"``; or a :class:`capwalk.Method` from an earlier call."""
     steps: int | None
-    """Steps of a walk, for ``"auto"`` and ``"walk"``, 1 to 1000."""
+    """Steps of a walk, 1 to 1000; this and the next two for ``"walk"`` and ``"edges"``."""
     max_angle: float | None
     """The walk's angular cutoff, degrees, above 0 and at most 180."""
     antithetic: bool | None

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 import torch  # type: ignore[import-not-found, unused-ignore]
@@ -27,10 +27,7 @@ from . import _capwalk
 from ._functional import Work, second_derivative, seeds
 from ._numbers import Array
 from .errors import ArgumentError
-from .options import FunctionOptions
-
-if TYPE_CHECKING:
-    from typing_extensions import Unpack
+from .options import FunctionOptions, Unpack
 
 __all__ = ["render"]
 

@@ -1,14 +1,17 @@
 //! The arguments of the command line.
 
 mod parse;
+mod typed_method;
 
 use std::num::NonZeroU32;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use capwalk::optimize::parse_duration;
-use capwalk::{Device, Estimator, MethodName, MissingName, SensorChoice, Setting};
+use capwalk::{Device, Estimator, MissingName, SensorChoice, Setting};
 use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+
+pub use typed_method::TypedMethod;
 
 /// Unbiased derivatives of rendered images.
 #[derive(Parser, Debug)]
@@ -200,15 +203,6 @@ pub struct MotionArgs {
     /// with one "x y z" per line; adds to --param
     #[arg(long, value_name = "SHAPE=FILE", value_parser = parse::motion)]
     pub motion: Vec<(String, PathBuf)>,
-}
-
-/// A method as it is typed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum TypedMethod {
-    /// One that differentiates samples.
-    Of(MethodName),
-    /// Central finite differences, for `gradient`.
-    Fd,
 }
 
 /// How derivatives are estimated.

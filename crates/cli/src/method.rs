@@ -83,16 +83,6 @@ pub fn typed(args: &MethodArgs) -> TypedMethod {
     }))
 }
 
-impl TypedMethod {
-    /// The name as it is typed.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Of(method) => method.name(),
-            Self::Fd => "fd",
-        }
-    }
-}
-
 /// What the root of the number of pieces of edges before an emitter is multiplied by to give the
 /// number of points on them; nothing where none are gathered there.
 fn points(method: Method) -> Option<u32> {

@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use capwalk::{Choice, MethodName};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 
-use super::TypedMethod;
+use super::typed_method::TypedMethod;
 
 /// What the library calls by a name.
 pub fn choice<T: Choice + Send + Sync>() -> impl TypedValueParser<Value = T> {

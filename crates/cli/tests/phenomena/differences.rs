@@ -1,10 +1,11 @@
 //! Walks against finite differences, and what is demanded of them.
 //!
 //! The verdict must be right: an error of a tenth would have been seen. Besides,
-//! the mean of z² must lie in [0.8, 1.25], over at least so many pixels, which
-//! are independent of each other, and their signs must cancel. These tests
-//! together raise a false alarm in about one check of 4000; seeds are fixed, so
-//! a check that passes goes on passing.
+//! the mean of z² must lie in [0.8, 1.25], a little wider where few pixels have noise, over at least
+//! so many pixels, which are independent of each other, and their signs must cancel. Seeds are
+//! fixed, so a check that passes goes on passing.
+
+use std::ops::RangeInclusive;
 
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
@@ -15,7 +16,9 @@ use crate::folder::{Differences, Folder, WIDE};
 use crate::methods::SIGN;
 use crate::reference::tangent;
 
-const MEAN_Z_SQUARED: std::ops::RangeInclusive<f64> = 0.8..=1.25;
+const MEAN_Z_SQUARED: RangeInclusive<f64> = 0.8..=1.25;
+/// Where three of its standard errors are more than that, for so few pixels have noise.
+const WIDE_Z_SQUARED: RangeInclusive<f64> = 0.6..=1.5;
 
 /// Demands that a derivative agrees with the reference.
 pub fn agree(folder: &Folder, parameter: &str, asked: &Differences, reference: &Estimate) {
@@ -39,7 +42,8 @@ pub fn agree(folder: &Folder, parameter: &str, asked: &Differences, reference: &
     println!("{name}: {result}, worst {:?}", result.worst.first());
     assert_eq!(result.verdict, Verdict::Right, "{name}");
     let (z2, error) = (result.mean_z_squared, result.mean_z_squared_error);
-    let is_right = MEAN_Z_SQUARED.contains(&z2) || (z2 - 1.0).abs() < 3.0 * error;
+    let is_right = MEAN_Z_SQUARED.contains(&z2)
+        || WIDE_Z_SQUARED.contains(&z2) && (z2 - 1.0).abs() < 3.0 * error;
     assert!(is_right, "{name}: mean z² {z2} ± {error}");
     let sign = result.sign;
     assert!(sign.abs() < SIGN, "{name}: systematic sign {sign}");

@@ -170,6 +170,29 @@ fn run(name: &str) {
     println!("{name}: {:.1} s", started.elapsed().as_secs_f64());
 }
 
+/// `capwalk check` says of a silhouette and of a shadow that they are right, by differences of its
+/// own.
+#[test]
+fn the_command_agrees() {
+    for (name, parameter) in [
+        ("outline_with_a_box_filter", "ball.translate.x"),
+        ("shadow_of_a_moving_occluder", "thing.translate.x"),
+    ] {
+        let folder = Folder::new(name);
+        let checks = folder.checks();
+        let mut checks = checks.iter();
+        assert!(checks.any(|check| check.parameter == parameter), "{name}");
+        let file = folder.scene_file();
+        let done = capwalk(&["check", &file, "-p", parameter, "--step", "0.01", "--json"]);
+        assert_eq!(done.status, 0, "{name}: {}{}", done.output, done.errors);
+        assert!(
+            done.output.contains("\"step\": 0.01"),
+            "{name}: {}",
+            done.output
+        );
+    }
+}
+
 /// Demands that both modes refuse, and both methods, in a message that has the words.
 fn refuse(folder: &Folder, parameter: &str, words: &[String], out: &Path) {
     let file = folder.scene_file();

@@ -108,6 +108,14 @@ impl MaterialReader<'_, '_> {
         self.refuse_extensions()?;
         let is_clear = self.is_clear()?;
         let mut bsdf = self.principled(is_clear)?;
+        if self.given.double_sided && !is_clear {
+            let outer = self.add("twosided", "twosided");
+            self.builder.put(outer, bsdf);
+            bsdf = outer;
+        } else if !is_clear {
+            self.builder.one_sided.push(self.line);
+        }
+        // Around both sides: a hill of the front is a valley of the back.
         if let Some(normal) = &self.given.normal_texture {
             let texture = TextureUse {
                 index: normal.index.value(),
@@ -118,17 +126,15 @@ impl MaterialReader<'_, '_> {
             let normals = self.texture(texture, Texels::Normal(scale))?;
             bsdf = self.around(bsdf, "normalmap", "normalmap", normals);
         }
-        if self.given.double_sided && !is_clear {
-            let outer = self.add("twosided", "twosided");
-            self.builder.put(outer, bsdf);
-            bsdf = outer;
-        } else if !is_clear {
-            self.builder.one_sided.push(self.line);
-        }
+        let radiance = self.radiance()?;
         if let Some(opacity) = self.opacity()? {
+            if radiance.is_some() {
+                let message = "what is not opaque and emits light has no equal: an emitter has no \
+                               opacity";
+                return self.unsupported("alphaMode", message);
+            }
             bsdf = self.around(bsdf, "mask", "opacity", opacity);
         }
-        let radiance = self.radiance()?;
         Ok(PrimitiveSurface { bsdf, radiance })
     }
 
@@ -320,11 +326,20 @@ impl MaterialReader<'_, '_> {
             let message = "an index below 1 is not the surface of a solid in air";
             return self.unsupported("extensions.KHR_materials_ior.ior", message);
         }
-        if factor == 0.0 {
-            return Ok(("specular", 0.0));
-        }
         // Grey, and white at grazing angles: that of another index.
         let reflected = ((index - 1.0) / (index + 1.0)).powi(2) * r;
+        if factor == 0.0 || reflected == 0.0 && r == g && g == b && !has_textures {
+            // It is of what is no metal, and of no index: `principled` has no metals without one.
+            return match self.number("pbrMetallicRoughness.metallicFactor", 1.0)? {
+                0.0 => Ok(("specular", 0.0)),
+                1.0 if self.is_all_metal() => Ok(("eta", 1.5)),
+                _ => self.unsupported(
+                    specular,
+                    "a mixture of a metal and a surface that reflects nothing has no equal in \
+                     \"principled\"",
+                ),
+            };
+        }
         if factor != 1.0 || r != g || g != b || has_textures || reflected >= 1.0 {
             let message = "reflection that is coloured, or weakened by specularFactor, has no equal \
                            in \"principled\"";
@@ -334,6 +349,12 @@ impl MaterialReader<'_, '_> {
             true => Ok(("eta", index)),
             false => Ok(("eta", (1.0 + reflected.sqrt()) / (1.0 - reflected.sqrt()))),
         }
+    }
+
+    /// True if no texture says where it is metal.
+    fn is_all_metal(&self) -> bool {
+        let textures = &self.given.pbr_metallic_roughness;
+        textures.metallic_roughness_texture.is_none()
     }
 
     /// What is covered, if not everything is.

@@ -10,6 +10,10 @@ use crate::node::{Kind, NodeId, PropertyValue};
 /// Mitsuba's width of a film, pixels.
 const WIDTH: f64 = 768.0;
 
+/// Where parallel rays start that may start at the camera itself, over where they end: nothing is
+/// nearer that is seen.
+const NEAREST: f64 = 1e-9;
+
 impl GraphBuilder<'_> {
     /// The camera with this index, which stands at a node.
     pub(super) fn sensor(
@@ -48,13 +52,14 @@ impl GraphBuilder<'_> {
         };
         let to_world = to_world * Affine::scale(Vec3::new(scale, scale, 1.0));
         self.set(sensor, "to_world", PropertyValue::Transform(to_world));
-        self.set(
-            sensor,
-            "near_clip",
-            PropertyValue::Float(number("znear", 0.0)?),
-        );
         // Without an end, it sees as far as there may be anything.
         let far = number("zfar", LARGEST_COORDINATE)?;
+        // Parallel rays may start at the camera itself in glTF.
+        let near = match number("znear", 0.0)? {
+            0.0 => far * NEAREST,
+            near => near,
+        };
+        self.set(sensor, "near_clip", PropertyValue::Float(near));
         self.set(sensor, "far_clip", PropertyValue::Float(far));
         if aspect > 0.0 {
             let film = self.add(Kind::Film, "hdrfilm", None, line);

@@ -107,6 +107,7 @@ fn the_room_is_what_its_xml_says() {
         .map(|(slot, channel)| texture(slot, 1, channel, ""));
     let panel = principled("Panel", "0.8, 0.7, 0.6", &metallic, &roughness, "1.5");
     let normals = texture("normalmap", 2, "normal", "");
+    let panel = wrapped("Panel", panel);
     let panel = format!("<bsdf type=\"normalmap\" id=\"Panel.normalmap\">{normals}{panel}</bsdf>");
     let bowl = principled("Bowl", "0.9, 0.6, 0.2", "0.7", "0.35", "1.45");
     let screen = principled("Screen", "0.2, 0.5, 0.3", "0", "0.5", "1.5");
@@ -119,7 +120,7 @@ fn the_room_is_what_its_xml_says() {
     let emission = |radiance: &str| format!("<emitter type=\"area\">{radiance}</emitter>");
     let surfaces = [
         floor,
-        wrapped("Panel", panel),
+        panel,
         wrapped("Bowl", bowl),
         screen,
         lamp + &emission("<rgb name=\"radiance\" value=\"6, 5.4, 4.5\"/>"),
@@ -259,6 +260,7 @@ fn other_scenes() {
             "KHR_materials_sheen": {"sheenColorFactor": [0, 0, 0]}});
         json["materials"][2]["extensions"] =
             json!({"KHR_materials_specular": {"specularFactor": 0}});
+        json["materials"][2]["pbrMetallicRoughness"]["metallicFactor"] = 0.into();
     });
     assert_eq!(slot(&scene, "Glass.base_color").data, [0.25, 1.0, 1.0]);
     assert_eq!(slot(&scene, "Glass.spec_trans").data, [1.0]);
@@ -269,6 +271,12 @@ fn other_scenes() {
         "{eta}"
     );
     assert_eq!(slot(&scene, "Bowl.specular").data, [0.0]);
+    // Metals reflect whatever that says.
+    let scene = changed_scene("metal.glb", &|json| {
+        json["materials"][2]["extensions"] = json!({"KHR_materials_ior": {"ior": 1}});
+        json["materials"][2]["pbrMetallicRoughness"]["metallicFactor"] = 1.into();
+    });
+    assert_eq!(slot(&scene, "Bowl.eta").data, [1.5]);
 
     // Colours of vertices; opacities that are cut; no material.
     let loaded = changed("others.glb", &|document, json| {
@@ -282,7 +290,7 @@ fn other_scenes() {
         json["meshes"][1]["primitives"][0]["attributes"]["TEXCOORD_0"] = mirrored.into();
         json["animations"] = json!([{"channels": [], "samplers": []}]);
         json["cameras"][0] = json!({"type": "orthographic", "orthographic":
-            {"xmag": 2, "ymag": 1, "znear": 0.5, "zfar": 9}});
+            {"xmag": 2, "ymag": 1, "znear": 0, "zfar": 9}});
         json["nodes"][0]["scale"] = json!([3, 3, 3]);
     });
     let loaded = loaded.unwrap_or_else(|error| panic!("{error}"));

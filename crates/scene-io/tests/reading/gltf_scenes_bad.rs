@@ -117,6 +117,25 @@ fn what_has_no_equal_is_named() {
             ),
         ),
         (
+            refused("matt", &|_, json| {
+                json["materials"][2]["extensions"] =
+                    json!({"KHR_materials_specular": {"specularFactor": 0}});
+            }),
+            format!(
+                "room.glb: materials[2].extensions.KHR_materials_specular: a mixture of a metal and \
+                 a surface that reflects nothing has no equal in \"principled\"{by_hand}"
+            ),
+        ),
+        (
+            refused("glow", &|_, json| {
+                json["materials"][3]["emissiveFactor"] = json!([1, 1, 1]);
+            }),
+            format!(
+                "room.glb: materials[3].alphaMode: what is not opaque and emits light has no equal: \
+                 an emitter has no opacity{by_hand}"
+            ),
+        ),
+        (
             at("uv", "/materials/1/normalTexture/texCoord", 1.into()),
             "room.glb: materials[1].normalTexture: it has the texture coordinates TEXCOORD_1\n  \
              export it with those of TEXCOORD_0, the only ones that are read"
