@@ -47,7 +47,7 @@ fn unknown_bsdf_plugin() {
             "scene.xml:5:15: unknown bsdf plugin \"roughconductr\"",
             "  known bsdf plugins: diffuse, conductor, roughconductor, dielectric, roughdielectric, \
              thindielectric, plastic, roughplastic, pplastic, principled, principledthin, null, \
-             polarizer, circular, retarder, twosided, mask, blendbsdf, normalmap, bumpmap",
+             difftrans, polarizer, circular, retarder, twosided, mask, blendbsdf, normalmap, bumpmap",
             "  did you mean \"roughconductor\"?",
         ],
     );
