@@ -143,7 +143,7 @@ def test_derivatives_by_what_moves_agree_with_the_cpu(scene: cw.Scene, adapter: 
 
 def test_what_a_gpu_does_not_have_is_refused_by_name(scene: cw.Scene, built: None) -> None:
     # Whether there is one or not.
-    with pytest.raises(cw.ArgumentError, match='"box" is a dielectric: not on the GPU yet') as error:
+    with pytest.raises(cw.ArgumentError, match='"box" is of the type dielectric: not on the GPU yet') as error:
         cw.render(cw.load_string(GLASS), device="gpu")
     assert isinstance(error.value, ValueError) and 'device="cpu"' in str(error.value)
     with pytest.raises(cw.ArgumentError, match="renders depth, not light: not on the GPU"):
