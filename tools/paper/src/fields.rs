@@ -6,12 +6,12 @@ mod explicit;
 mod on_triangles;
 mod psdr_was;
 mod receiver;
+mod warped_area;
 mod was;
 mod was_settings;
 mod weighted_mean;
 
 pub use explicit::AMONG_EXPLICIT_BOUNDARIES;
 pub use on_triangles::ON_TRIANGLES;
-pub use psdr_was::psdr_was;
-pub use was::was;
+pub use warped_area::{psdr_was, was};
 pub use was_settings::{WasBoundary, WasSettings};

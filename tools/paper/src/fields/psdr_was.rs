@@ -22,12 +22,9 @@
 
 use std::f64::consts::PI;
 
-use capwalk_boundary::{
-    Accel, Boundaries, CustomField, Flow, Method, Numbers, Refusal, Stream, Viewpoint,
-};
+use capwalk_boundary::{Accel, Flow, Stream, Viewpoint};
 use capwalk_geometry::Hit;
 use capwalk_math::{Frame, Vec3};
-use capwalk_walk::WalkSettings;
 
 use super::receiver::Receiver;
 use super::was;
@@ -36,45 +33,6 @@ use super::weighted_mean::{self, edge_test, ray_numbers, relative_density};
 
 /// What lies before a plane does so by more than this fraction of the distance.
 const IN_PLANE: f64 = 1e-9;
-
-/// Warped-area sampling in path space. Biased like [`was`](was::was).
-pub fn psdr_was(settings: WasSettings) -> Method {
-    // Methods live as long as the program, which makes few of them.
-    Method::Custom(Box::leak(Box::new(PsdrWas(settings))))
-}
-
-#[derive(Debug)]
-struct PsdrWas(WasSettings);
-
-impl CustomField for PsdrWas {
-    fn name(&self) -> &'static str {
-        "psdr-was"
-    }
-
-    fn is_unbiased(&self) -> bool {
-        false
-    }
-
-    fn walks(&self) -> bool {
-        false
-    }
-
-    fn check(&self, _: &Boundaries, _: &WalkSettings) -> Result<(), Refusal> {
-        self.0.check()
-    }
-
-    fn flow(
-        &self,
-        accel: &Accel,
-        _: &Boundaries,
-        viewpoint: &Viewpoint<f64>,
-        q: Vec3,
-        _: &WalkSettings,
-        random: Numbers,
-    ) -> Option<Flow> {
-        Some(flow(accel, viewpoint, q, &self.0, &random.branch()))
-    }
-}
 
 /// An auxiliary point.
 struct Auxiliary {
@@ -89,7 +47,7 @@ struct Auxiliary {
 }
 
 /// The motion of the direction `q` and the divergence there.
-fn flow(
+pub(super) fn flow(
     accel: &Accel,
     viewpoint: &Viewpoint<f64>,
     q: Vec3,

@@ -18,56 +18,12 @@
 
 use std::f64::consts::PI;
 
-use capwalk_boundary::{
-    Accel, Boundaries, CustomField, Flow, FlowSource, Method, Numbers, Refusal, Stream, Viewpoint,
-    Visibility,
-};
+use capwalk_boundary::{Accel, Flow, FlowSource, Stream, Viewpoint, Visibility};
 use capwalk_geometry::Hit;
 use capwalk_math::{Frame, Vec3};
-use capwalk_walk::WalkSettings;
 
 use super::was_settings::{WasBoundary, WasSettings};
 use super::weighted_mean::{self, Share, edge_test, ray_numbers, relative_density};
-
-/// Warped-area sampling. Biased, less with more auxiliary rays; what is seen in mirrors is not
-/// covered.
-pub fn was(settings: WasSettings) -> Method {
-    // Methods live as long as the program, which makes few of them.
-    Method::Custom(Box::leak(Box::new(Was(settings))))
-}
-
-#[derive(Debug)]
-struct Was(WasSettings);
-
-impl CustomField for Was {
-    fn name(&self) -> &'static str {
-        "was"
-    }
-
-    fn is_unbiased(&self) -> bool {
-        false
-    }
-
-    fn walks(&self) -> bool {
-        false
-    }
-
-    fn check(&self, _: &Boundaries, _: &WalkSettings) -> Result<(), Refusal> {
-        self.0.check()
-    }
-
-    fn flow(
-        &self,
-        accel: &Accel,
-        _: &Boundaries,
-        viewpoint: &Viewpoint<f64>,
-        q: Vec3,
-        _: &WalkSettings,
-        random: Numbers,
-    ) -> Option<Flow> {
-        Some(flow(accel, viewpoint, q, &self.0, &random.branch()))
-    }
-}
 
 /// An auxiliary ray.
 struct Auxiliary {
