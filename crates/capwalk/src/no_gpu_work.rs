@@ -55,7 +55,7 @@ mod tests {
     use capwalk_scene::builtin;
 
     /// A GPU that is asked for is an error that says how to build it; where any device will do, it
-    /// is the processor, in every mode.
+    /// is the CPU, in every mode.
     #[test]
     fn there_is_no_gpu() {
         let prepared = PreparedScene::new(builtin::scene("leaf").expect("built in"));
@@ -65,10 +65,10 @@ mod tests {
         let (sampling, options) = (RenderOptions::default(), GradientOptions::default());
         let found = |device| {
             [
-                image(&prepared, device, &sampling, &Unwatched).map(is_left_to_processor),
-                gradient(&prepared, device, &still, &options, &Unwatched).map(is_left_to_processor),
+                image(&prepared, device, &sampling, &Unwatched).map(is_left_to_cpu),
+                gradient(&prepared, device, &still, &options, &Unwatched).map(is_left_to_cpu),
                 backward(&prepared, device, (&adjoint, &wanted), &options, &Unwatched)
-                    .map(is_left_to_processor),
+                    .map(is_left_to_cpu),
             ]
         };
         for device in [Device::Auto, Device::Cpu] {
@@ -82,7 +82,7 @@ mod tests {
         }
     }
 
-    fn is_left_to_processor<T>(found: Found<T>) -> bool {
+    fn is_left_to_cpu<T>(found: Found<T>) -> bool {
         matches!(found, Found::Cpu { remark: None })
     }
 }

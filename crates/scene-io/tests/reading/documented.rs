@@ -29,11 +29,10 @@ impl FieldReader for Row {
     fn colour(
         &mut self,
         name: &'static str,
-        _: Quantity,
+        quantity: Quantity,
         default: f64,
     ) -> Result<TextureId, Infallible> {
-        self.add(name, default);
-        Ok(SOME)
+        self.number(name, quantity, default)
     }
 
     fn number(
