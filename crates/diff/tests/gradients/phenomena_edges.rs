@@ -300,7 +300,7 @@ fn crossing_of_a_mask_at_a_low_angle() {
         "mask",
         Affine::translate(Vec3::zero()),
         "leaf.translate.z",
-        2e-3,
+        5e-4,
     );
 }
 
@@ -309,7 +309,7 @@ fn crossing_of_a_mask_at_a_low_angle() {
 fn border_of_a_mask_on_a_floor() {
     let along = Affine::rotate(v(0.0, 0.0, 1.0), 0.3_f64.atan());
     let from_axis = Affine::translate(v(0.0, 0.5, 0.0));
-    mask_on_floor("border", along * from_axis, "leaf.translate.y", 2e-2);
+    mask_on_floor("border", along * from_axis, "leaf.translate.y", 5e-3);
 }
 
 /// A mask, placed before it is turned out of a floor, seen from above.
@@ -335,8 +335,8 @@ fn mask_on_floor(name: &str, place: Affine, parameter: &str, step: f64) {
     };
     let case = Case {
         size: 12,
-        gradient_spp: 600,
-        reference_spp: 4000,
+        gradient_spp: 1200,
+        reference_spp: 8000,
         step,
         min_pixels: 100,
         ..primary()
