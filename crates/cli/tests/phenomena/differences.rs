@@ -1,9 +1,8 @@
 //! Walks against finite differences, and what is demanded of them.
 //!
-//! The verdict must be right: an error of a tenth would have been seen. Besides,
-//! the mean of z² must lie in [0.8, 1.25], over at least so many pixels, which are independent of
-//! each other, and their signs must cancel. Seeds are
-//! fixed, so a check that passes goes on passing.
+//! The verdict must be right: an error of a tenth would have been seen. Besides, the mean of z²
+//! must lie in [0.8, 1.25], over at least so many pixels, which are independent of each other, and
+//! their signs must cancel. Seeds are fixed, so a check that passes goes on passing.
 
 use std::ops::RangeInclusive;
 

@@ -95,6 +95,7 @@ fn outlines_cross_borders() {
 fn image_of_a_moving_thing() {
     let case = Case {
         step: 2e-3,
+        gradient_spp: 5000,
         ..few_pixels()
     };
     let scene = visible_cube();

@@ -113,8 +113,10 @@ pub fn agree_by(
             "{name}: only {} pixels have noise",
             result.pixels
         );
+        // What is rare and large raises the error together with the value: z² is small then.
+        let least = if case.patience > 1.0 { 0.6 } else { 0.8 };
         let z2 = result.mean_z_squared;
-        assert!((0.8..=1.25).contains(&z2), "{name}: mean z² {z2}");
+        assert!((least..=1.25).contains(&z2), "{name}: mean z² {z2}");
         assert!(
             result.sign.abs() < 4.0,
             "{name}: systematic sign {}",
