@@ -59,10 +59,10 @@ def render(scene: Scene, **options: Unpack[RenderOptions]) -> Picture:
     check_names("render", RenderOptions, options)
     with shown(options.get("progress"), "render") as told:
         asked = checked(scene, options, progress=told)
-        ((value, stderr), statistics), adapter, remark = _capwalk.render(scene, asked)
+        (value, stderr), statistics, (device, remark) = _capwalk.render(scene, asked)
     warn_of(statistics)
     warn_of_device(remark)
-    return Picture(value, stderr, statistics, adapter or "cpu", _files=tuple(scene._files))
+    return Picture(value, stderr, statistics, device, _files=tuple(scene._files))
 
 
 def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> Slope:
@@ -84,12 +84,12 @@ def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> 
     check_names("gradient", GradientOptions, options)
     with shown(options.get("progress"), "gradient") as told:
         asked = checked(scene, options, progress=told)
-        found, adapter, remark = _capwalk.gradient(scene, direction(along), asked)
-    value, slope, chosen, statistics = found
+        found = _capwalk.gradient(scene, direction(along), asked)
+    value, slope, chosen, statistics, (device, remark) = found
     warn_of(statistics)
     warn_of_device(remark)
     made, files = Method(*chosen), tuple(scene._files)
-    return Slope(*slope, *value, made, statistics, adapter or "cpu", _files=files)
+    return Slope(*slope, *value, made, statistics, device, _files=files)
 
 
 def backward(
@@ -117,13 +117,11 @@ def backward(
     with shown(options.get("progress"), "backward") as told:
         asked = checked(scene, options, progress=told, independent=True)
         wanted = wanted_names(scene, names, asked.sensor)
-        found, adapter, remark = _capwalk.backward(
-            scene, numbers("adjoint", adjoint), wanted, asked
-        )
-    values, errors, chosen, statistics = found
+        found = _capwalk.backward(scene, numbers("adjoint", adjoint), wanted, asked)
+    values, errors, chosen, statistics, (device, remark) = found
     warn_of(statistics)
     warn_of_device(remark)
-    return Gradients(values, errors, Method(*chosen), statistics, adapter or "cpu")
+    return Gradients(values, errors, Method(*chosen), statistics, device)
 
 
 def check(scene: Scene, along: Along, **options: Unpack[CheckOptions]) -> Check:

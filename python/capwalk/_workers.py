@@ -47,7 +47,7 @@ class Workers(ABC):
         check_names("render", ImageOptions, options)
         asked = checked(scene, options, threads=self._threads)
         work: list[tuple[Asked, Options]] = [(None, asked)]
-        [((value, stderr), statistics)] = self._done("render", scene, work, options)
+        [((value, stderr), statistics, _)] = self._done("render", scene, work, options)
         warn_of(statistics)
         return Picture(value, stderr, statistics, _files=tuple(scene._files))
 
@@ -63,7 +63,7 @@ class Workers(ABC):
         asked = checked(scene, options, threads=self._threads)
         work = [(direction(along), asked)]
         [result] = self._done("gradient", scene, work, options)
-        (value, value_stderr), (slope, stderr), chosen, statistics = result
+        (value, value_stderr), (slope, stderr), chosen, statistics, _ = result
         warn_of(statistics)
         method, files = Method(*chosen), tuple(scene._files)
         return Slope(slope, stderr, value, value_stderr, method, statistics, _files=files)
@@ -82,7 +82,7 @@ class Workers(ABC):
         asked = checked(scene, options, threads=self._threads, independent=True)
         wanted = wanted_names(scene, names, asked.sensor)
         work = [((numbers("adjoint", adjoint), wanted), asked)]
-        [(values, errors, chosen, statistics)] = self._done("backward", scene, work, options)
+        [(values, errors, chosen, statistics, _)] = self._done("backward", scene, work, options)
         warn_of(statistics)
         return Gradients(values, errors, Method(*chosen), statistics)
 
@@ -105,11 +105,11 @@ class Workers(ABC):
             asked = checked(scene, {**options, "sensor": sensor}, threads=self._threads)
             work.append((None, replace(asked, seed=view_seed(asked.seed, view))))
         results = self._done("render", scene, work, options)
-        warn_of(_together([statistics for _, statistics in results]))
+        warn_of(_together([statistics for _, statistics, _ in results]))
         files = tuple(scene._files)
         return [
             Picture(value, stderr, statistics, _files=files)
-            for (value, stderr), statistics in results
+            for (value, stderr), statistics, _ in results
         ]
 
     def backward_views(
@@ -162,17 +162,17 @@ class Workers(ABC):
         if not work:
             raise ArgumentError("none of these images changes with any of the names")
         results = self._done("backward", scene, work, options)
-        statistics = _together([statistics for *_, statistics in results])
+        statistics = _together([statistics for *_, statistics, _ in results])
         warn_of(statistics)
         values: dict[str, Array] = {}
         stderr: dict[str, Array] = {}
-        for of_view, errors, _, _ in results:
+        for of_view, errors, *_ in results:
             for name, value in of_view.items():
                 values[name] = values.get(name, 0.0) + value
                 stderr[name] = np.hypot(stderr.get(name, 0.0), errors[name])
         values.update({name: np.zeros(shape) for name, shape in unseen.items()})
         stderr.update({name: np.zeros(shape) for name, shape in unseen.items()})
-        _, _, first, _ = results[0]
+        _, _, first, *_ = results[0]
         return Gradients(values, stderr, Method(*first), statistics)
 
     def _done(

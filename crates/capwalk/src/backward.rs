@@ -17,6 +17,9 @@ use crate::error::Error;
 #[derive(Clone, Debug)]
 pub struct Gradients {
     gradients: Vec<ParameterGradient>,
+    /// The method that samples were differentiated by, or the one that was asked for if others chose
+    /// it and computed all parts.
+    pub chosen: Chosen,
     /// What was done.
     pub statistics: Statistics,
 }
@@ -126,7 +129,7 @@ impl<'a> GradientsWork<'a> {
         registry: &Registry,
         adjoint: &'a Image,
         names: &[N],
-        options: &GradientOptions,
+        options: GradientOptions,
         kept: impl FnOnce(Wanted) -> KeptChoice,
     ) -> Result<Self, Error> {
         let scene = prepared.scene();
@@ -139,7 +142,7 @@ impl<'a> GradientsWork<'a> {
                 Request::Array(array) => array.tangent(scene, &vec![1.0; array.count()]),
             }));
         }
-        let work = BackwardWork::new(prepared, adjoint, wanted.clone(), *options);
+        let work = BackwardWork::new(prepared, adjoint, wanted.clone(), options);
         Ok(Self {
             scene,
             requests,
@@ -171,12 +174,17 @@ impl<'a> GradientsWork<'a> {
 
     /// The gradients, from all parts. The bits are those of [`Prepared::backward`](crate::Prepared::backward).
     pub fn finish(&self, parts: Partial<BatchSums>) -> Result<Gradients, Error> {
-        Ok(self.by_name(&self.work.finish(parts)?))
+        Ok(self.by_name(self.work.finish(parts)?))
     }
 
     /// All of it at once, see [`Prepared::backward`](crate::Prepared::backward).
     pub fn whole(&self, watch: &dyn Watch) -> Result<Gradients, Error> {
-        Ok(self.by_name(&self.work.whole(watch)?))
+        Ok(self.by_name(self.unnamed(watch)?))
+    }
+
+    /// What all parameters change, before it is sorted by their names.
+    pub(crate) fn unnamed(&self, watch: &dyn Watch) -> Result<Backward, Error> {
+        Ok(self.work.whole(watch)?)
     }
 
     pub(crate) fn wanted(&self) -> &Wanted {
@@ -184,15 +192,16 @@ impl<'a> GradientsWork<'a> {
     }
 
     /// Each parameter's gradient is a linear map of the covector on the scene.
-    pub(crate) fn by_name(&self, result: &Backward) -> Gradients {
+    pub(crate) fn by_name(&self, result: Backward) -> Gradients {
         let scene = self.scene;
         let gradients = self.requests.iter().map(|(name, request)| match request {
-            Request::Tangent(tangent) => of_number(name.clone(), tangent, result),
-            Request::Array(array) => of_array(scene, name.clone(), array, result),
+            Request::Tangent(tangent) => of_number(name.clone(), tangent, &result),
+            Request::Array(array) => of_array(scene, name.clone(), array, &result),
         });
         Gradients {
             gradients: gradients.collect(),
-            statistics: result.statistics.clone(),
+            chosen: result.chosen,
+            statistics: result.statistics,
         }
     }
 }

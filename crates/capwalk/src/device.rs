@@ -1,22 +1,8 @@
-//! Where images and derivatives are computed, and why not there.
+//! Devices by name, what comes from them, and why nothing does.
 
-use capwalk_diff::Chosen;
+use capwalk_diff::{Device, Statistics};
 
 use crate::method::Choice;
-
-/// Where an image or a derivative is computed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Device {
-    /// On the CPU.
-    #[default]
-    Cpu,
-    /// On a GPU if there is one with double precision that has all that the scene needs, else on
-    /// the CPU. Software Vulkan is none.
-    Auto,
-    /// On a GPU, or on software Vulkan; an error if there is neither, or if the scene needs what it
-    /// does not have.
-    Gpu,
-}
 
 impl Choice for Device {
     const NAMES: &'static [(&'static str, Self)] =
@@ -34,32 +20,34 @@ impl Choice for Device {
     }
 }
 
-/// An image or a derivative, and where it was computed.
-#[derive(Clone, Debug)]
-pub struct OnDevice<T> {
-    /// What was asked for.
-    pub result: T,
-    /// The name of the GPU; `None` for the CPU.
-    pub adapter: Option<String>,
-    /// Why it was the CPU, where a GPU was there and could have been meant.
-    pub remark: Option<String>,
-    /// The method of a derivative. A GPU has edges alone, and where nothing moves all methods are one.
-    pub chosen: Option<Chosen>,
-}
-
-/// What a GPU computed, or that the CPU has to.
+/// What a GPU computed, or that the CPU has to, and why.
 pub enum Found<T> {
     #[cfg_attr(
         not(feature = "gpu"),
         allow(dead_code, reason = "there is no GPU to find it on")
     )]
-    There {
-        result: T,
-        adapter: String,
-    },
-    Cpu {
+    OnGpu(T),
+    OnCpu {
         remark: Option<String>,
     },
+}
+
+impl<T> Found<T> {
+    /// What the GPU computed, or else the CPU; its statistics say why.
+    pub fn or_on_cpu<E>(
+        self,
+        compute: impl FnOnce() -> Result<T, E>,
+        statistics: fn(&mut T) -> &mut Statistics,
+    ) -> Result<T, E> {
+        match self {
+            Self::OnGpu(result) => Ok(result),
+            Self::OnCpu { remark } => {
+                let mut result = compute()?;
+                statistics(&mut result).device.remark = remark;
+                Ok(result)
+            }
+        }
+    }
 }
 
 /// Why there is nothing from a GPU.

@@ -1,8 +1,8 @@
 //! Images and derivatives from a GPU.
 
 use capwalk_diff::{
-    Backward, GradientImage, GradientOptions, PreparedScene, RenderOptions, Rendering, Wanted,
-    Watch,
+    Backward, Device, GradientImage, GradientOptions, PreparedScene, RenderOptions, Rendering,
+    Wanted, Watch,
 };
 use capwalk_gpu::{GpuError, Precision};
 use capwalk_gpu_render::{
@@ -10,19 +10,18 @@ use capwalk_gpu_render::{
 };
 use capwalk_scene::{Image, Tangent};
 
-use crate::device::{Device, DeviceFailure, Found};
+use crate::device::{DeviceFailure, Found};
 use crate::error::Error;
 use crate::shared_gpu::{give_up, shared_gpu};
 
 /// The image of a scene, see [`found`].
 pub fn image(
     prepared: &PreparedScene,
-    device: Device,
     options: &RenderOptions,
     watch: &dyn Watch,
 ) -> Result<Found<Rendering>, Error> {
     let missing = || unsupported(prepared);
-    found(prepared, device, missing, |scene| {
+    found(prepared, options.device, missing, |scene| {
         scene.render(options, watch)
     })
 }
@@ -30,17 +29,15 @@ pub fn image(
 /// The derivative of an image along a tangent, see [`found`].
 pub fn gradient(
     prepared: &PreparedScene,
-    device: Device,
     tangent: &Tangent,
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Found<GradientImage>, Error> {
-    let wanted = Wanted::by(tangent);
     let missing = || {
-        let scene = unsupported(prepared);
-        scene.or_else(|| unsupported_derivative(prepared, &wanted, options))
+        let derivative = || unsupported_derivative(prepared, &Wanted::by(tangent), options);
+        unsupported(prepared).or_else(derivative)
     };
-    found(prepared, device, missing, |scene| {
+    found(prepared, options.device, missing, |scene| {
         scene.gradient(tangent, options, watch)
     })
 }
@@ -48,22 +45,22 @@ pub fn gradient(
 /// The gradient of `Σ adjoint · image` in what is wanted, see [`found`].
 pub fn backward(
     prepared: &PreparedScene,
-    device: Device,
-    (adjoint, wanted): (&Image, &Wanted),
+    adjoint: &Image,
+    wanted: &Wanted,
     options: &GradientOptions,
     watch: &dyn Watch,
 ) -> Result<Found<Backward>, Error> {
     let missing = || {
-        let scene = unsupported(prepared);
-        scene.or_else(|| unsupported_derivative(prepared, wanted, options))
+        let derivative = || unsupported_derivative(prepared, wanted, options);
+        unsupported(prepared).or_else(derivative)
     };
-    found(prepared, device, missing, |scene| {
+    found(prepared, options.device, missing, |scene| {
         scene.backward(adjoint, wanted, options, watch)
     })
 }
 
-/// What the GPU that is found computes, unless something is missing there. The CPU, for [`Device::Cpu`], and for [`Device::Auto`] where there is none, or where it has
-/// not all that is needed.
+/// What the GPU that is found computes, unless something is missing there. The CPU, for [`Device::Cpu`],
+/// and for [`Device::Auto`] where there is none, or where it has not all that is needed.
 fn found<T>(
     prepared: &PreparedScene,
     device: Device,
@@ -71,10 +68,10 @@ fn found<T>(
     compute: impl FnOnce(&DeviceScene) -> Result<T, DeviceError>,
 ) -> Result<Found<T>, Error> {
     if device == Device::Cpu {
-        return Ok(Found::Cpu { remark: None });
+        return Ok(Found::OnCpu { remark: None });
     }
     let may_fall_back = device == Device::Auto;
-    let on_cpu = |remark: Option<String>| Ok(Found::Cpu { remark });
+    let on_cpu = |remark: Option<String>| Ok(Found::OnCpu { remark });
     // Whether there is a GPU or not.
     if let Some(missing) = missing() {
         return match (may_fall_back, shared_gpu()) {
@@ -107,10 +104,7 @@ fn found<T>(
         Err(error) => return Err(failure(error)),
     };
     match compute(&scene).map_err(noted) {
-        Ok(result) => Ok(Found::There {
-            result,
-            adapter: gpu.name().to_owned(),
-        }),
+        Ok(result) => Ok(Found::OnGpu(result)),
         Err(DeviceError::Unsupported(missing)) if may_fall_back => {
             on_cpu(Some(remark(&missing.what)))
         }
@@ -134,6 +128,7 @@ fn remark(why: &dyn std::fmt::Display) -> String {
 mod tests {
     use std::sync::Arc;
 
+    use capwalk_diff::UsedDevice;
     use capwalk_gpu::Gpu;
 
     use super::*;
@@ -159,10 +154,13 @@ mod tests {
         };
         let scene = Loader::new("leaf").size([8, 6]).load().expect("built in");
         let prepared = Prepared::new(scene.scene).expect("a valid scene");
-        let options = RenderOptions::new(2, 1);
-        let image = |watch: &dyn Watch| prepared.render_on(Device::Gpu, &options, watch);
+        let options = RenderOptions {
+            device: Device::Gpu,
+            ..RenderOptions::new(2, 1)
+        };
+        let image = |watch: &dyn Watch| prepared.render(&options, watch);
         let before = image(&Unwatched).expect("it has all that is needed");
-        assert_eq!(before.adapter.as_deref(), Some(gpu.name()));
+        assert_eq!(before.statistics.device, UsedDevice::gpu(gpu.name()));
         let lost = image(&Unplugs(Arc::clone(&gpu))).expect_err("there is no device");
         assert!(matches!(
             lost,
@@ -171,7 +169,7 @@ mod tests {
             )))
         ));
         let after = image(&Unwatched).expect("it is opened again");
-        assert_eq!(after.result.value, before.result.value);
+        assert_eq!(after.value, before.value);
         assert!(!Arc::ptr_eq(&gpu, &shared_gpu().expect("it is open")));
     }
 }

@@ -36,7 +36,7 @@
 //! | [`Prepared`] | a scene prepared for any number of images and gradients |
 //! | [`Views`] | the same for all sensors of a scene, and for AOVs |
 //! | [`Prepared::render`] | an image with its standard errors |
-//! | [`Prepared::render_on`], [`gradient_on`](Prepared::gradient_on), [`backward_on`](Prepared::backward_on) | the same on a GPU, with the feature `gpu` |
+//! | [`Device`] | where it is computed, a field of the options; on a GPU with the feature `gpu` |
 //! | [`Prepared::gradient`] | the derivative of the image along one direction (forward mode) |
 //! | [`Prepared::backward`] | the gradient of a loss with respect to all named parameters (reverse mode) |
 //! | [`Prepared::loss`] | the loss between an image and a target, and the adjoint for `backward` |
@@ -84,7 +84,6 @@ mod method;
 // Tests of a build with the GPU compile and try what one without it has.
 #[cfg(all(test, feature = "gpu"))]
 mod no_gpu_work;
-mod on_device;
 pub mod optimize;
 mod options;
 mod prepared;
@@ -97,10 +96,10 @@ mod views;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
-    Accumulate, AllowMissing, BatchSums, Cell, Chosen, Estimate, Estimator, Gathers, GradientImage,
-    GradientOptions, GradientWork, Grid, KeptChoice, Method, Missing, Part, PartError, Partial,
-    PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Seed, Statistics, Stencil, Trial,
-    Unwatched, WalkSettings, Watch, with_threads,
+    Accumulate, AllowMissing, BatchSums, Cell, Chosen, Device, Estimate, Estimator, Gathers,
+    GradientImage, GradientOptions, GradientWork, Grid, KeptChoice, Method, Missing, Part,
+    PartError, Partial, PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Seed, Statistics,
+    Stencil, Trial, Unwatched, UsedDevice, WalkSettings, Watch, with_threads,
 };
 pub use capwalk_math::{Rgb, Vec3};
 pub use capwalk_scene::params::{self, ParameterError, vertex_tangent};
@@ -124,7 +123,7 @@ pub use check::{
     Check, CheckOptions, Reference, comparison_text, coplanar_text, edge_on_text, missing_text,
     touching_text,
 };
-pub use device::{Device, DeviceFailure, OnDevice};
+pub use device::DeviceFailure;
 pub use direction::Direction;
 pub use edge_on::EdgeOnFace;
 pub use error::{Error, UnusableImage};

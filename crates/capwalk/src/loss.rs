@@ -1,7 +1,7 @@
 //! How far an image is from a target.
 
-use capwalk_diff::{PreparedScene, RenderOptions, Statistics, Watch};
-use capwalk_scene::Image;
+use capwalk_diff::{RenderOptions, Rendering, Statistics};
+use capwalk_scene::{Image, Scene};
 
 pub use capwalk_inverse::loss::{Distance, Loss, Measured};
 
@@ -18,16 +18,16 @@ pub struct ImageLoss {
     pub statistics: Statistics,
 }
 
-/// The loss of an image that is independent of a gradient with these options.
+/// The loss of an image that is rendered so as to be independent of a gradient with these options.
 pub(crate) fn measure(
-    prepared: &PreparedScene,
+    scene: &Scene,
     loss: &Loss,
     target: &Image,
     mask: Option<&Image>,
     options: &RenderOptions,
-    watch: &dyn Watch,
+    render: impl FnOnce(&RenderOptions) -> Result<Rendering, Error>,
 ) -> Result<ImageLoss, Error> {
-    let expected = prepared.scene().film.crop_size.map(|n| n as usize);
+    let expected = scene.film.crop_size.map(|n| n as usize);
     for (what, image) in [("target", Some(target)), ("mask", mask)] {
         let found = image.map_or(expected, |image| [image.width, image.height]);
         if found != expected {
@@ -39,7 +39,7 @@ pub(crate) fn measure(
         }
     }
     let options = options.with_independent_seed();
-    let rendering = capwalk_diff::render(prepared, &options, watch);
+    let rendering = render(&options)?;
     if rendering.statistics.samples_per_pixel.contains(&0) {
         return Err(Error::Stopped {
             before: "every pixel of the image had a sample",

@@ -159,6 +159,12 @@ pub enum OptionError {
         /// The option: `spp`.
         option: &'static str,
     },
+    /// A GPU is asked for where none computes yet.
+    #[error("{what} has no GPU yet: use the device cpu, or auto, which is the CPU there")]
+    NoGpu {
+        /// What would be computed: `work in parts`.
+        what: &'static str,
+    },
     /// Reverse mode has no image whose pixels could be noisy.
     #[error(
         "`adaptive` is for images and their derivatives in forward mode; in reverse mode all pixels \

@@ -1,50 +1,48 @@
 //! `gpu_work.rs` where the feature `gpu` was not built.
 
 use capwalk_diff::{
-    Backward, GradientImage, GradientOptions, PreparedScene, RenderOptions, Rendering, Wanted,
-    Watch,
+    Backward, Device, GradientImage, GradientOptions, PreparedScene, RenderOptions, Rendering,
+    Wanted, Watch,
 };
 use capwalk_scene::{Image, Tangent};
 
-use crate::device::{Device, DeviceFailure, Found};
+use crate::device::{DeviceFailure, Found};
 use crate::error::Error;
 
 /// The CPU, unless a GPU is asked for.
 pub fn image(
     _: &PreparedScene,
-    device: Device,
-    _: &RenderOptions,
+    options: &RenderOptions,
     _: &dyn Watch,
 ) -> Result<Found<Rendering>, Error> {
-    found(device)
+    found(options.device)
 }
 
 /// The CPU, unless a GPU is asked for, which is an error.
 pub fn gradient(
     _: &PreparedScene,
-    device: Device,
     _: &Tangent,
-    _: &GradientOptions,
+    options: &GradientOptions,
     _: &dyn Watch,
 ) -> Result<Found<GradientImage>, Error> {
-    found(device)
+    found(options.device)
 }
 
 /// The CPU, unless a GPU is asked for, which is an error.
 pub fn backward(
     _: &PreparedScene,
-    device: Device,
-    _: (&Image, &Wanted),
-    _: &GradientOptions,
+    _: &Image,
+    _: &Wanted,
+    options: &GradientOptions,
     _: &dyn Watch,
 ) -> Result<Found<Backward>, Error> {
-    found(device)
+    found(options.device)
 }
 
 fn found<T>(device: Device) -> Result<Found<T>, Error> {
     match device {
         Device::Gpu => Err(DeviceFailure::NotBuilt.into()),
-        Device::Auto | Device::Cpu => Ok(Found::Cpu { remark: None }),
+        Device::Auto | Device::Cpu => Ok(Found::OnCpu { remark: None }),
     }
 }
 
@@ -62,13 +60,16 @@ mod tests {
         let scene = prepared.scene();
         let still = Tangent::zero(scene);
         let (wanted, adjoint) = (Wanted::by(&still), Image::new(1, 1));
-        let (sampling, options) = (RenderOptions::default(), GradientOptions::default());
         let found = |device| {
+            let options = GradientOptions {
+                device,
+                ..GradientOptions::default()
+            };
+            let sampling = options.sampling();
             [
-                image(&prepared, device, &sampling, &Unwatched).map(is_left_to_cpu),
-                gradient(&prepared, device, &still, &options, &Unwatched).map(is_left_to_cpu),
-                backward(&prepared, device, (&adjoint, &wanted), &options, &Unwatched)
-                    .map(is_left_to_cpu),
+                image(&prepared, &sampling, &Unwatched).map(is_left_to_cpu),
+                gradient(&prepared, &still, &options, &Unwatched).map(is_left_to_cpu),
+                backward(&prepared, &adjoint, &wanted, &options, &Unwatched).map(is_left_to_cpu),
             ]
         };
         for device in [Device::Auto, Device::Cpu] {
@@ -83,6 +84,6 @@ mod tests {
     }
 
     fn is_left_to_cpu<T>(found: Found<T>) -> bool {
-        matches!(found, Found::Cpu { remark: None })
+        matches!(found, Found::OnCpu { remark: None })
     }
 }

@@ -1,6 +1,6 @@
 //! How differences are taken.
 
-use capwalk_diff::RenderOptions;
+use capwalk_diff::{Device, RenderOptions};
 
 use crate::method::OptionError;
 
@@ -46,6 +46,14 @@ pub(crate) fn check_spp(option: &'static str, spp: u32) -> Result<(), OptionErro
     match spp {
         0 => Err(OptionError::NoSamples { option }),
         _ => Ok(()),
+    }
+}
+
+/// An error if a GPU is asked for something that the CPU alone does.
+pub(crate) fn refuse_gpu(what: &'static str, device: Device) -> Result<(), OptionError> {
+    match device {
+        Device::Gpu => Err(OptionError::NoGpu { what }),
+        Device::Auto | Device::Cpu => Ok(()),
     }
 }
 

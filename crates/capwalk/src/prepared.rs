@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    Chosen, Differences, GradientImage, GradientOptions, GradientWork, KeptChoice, Method,
+    Chosen, Device, Differences, GradientImage, GradientOptions, GradientWork, KeptChoice, Method,
     PreparedScene, Refusal, RenderOptions, RenderWork, Rendering, Watch,
 };
 use capwalk_scene::params::Registry;
@@ -17,9 +17,10 @@ use crate::coplanar::coplanar;
 use crate::direction::Direction;
 use crate::edge_on::{EdgeOnFace, edge_on};
 use crate::error::Error;
+use crate::gpu_work;
 use crate::loss::{self, ImageLoss, Loss};
 use crate::method::OptionError;
-use crate::options::{self, DifferenceOptions, check_spp};
+use crate::options::{self, DifferenceOptions, check_spp, refuse_gpu};
 use crate::step::difference_step;
 
 /// A scene that is ready to be rendered and differentiated. It owns all that it needs
@@ -60,6 +61,9 @@ pub fn comparable(
     Ok(rest)
 }
 
+/// What has no GPU yet.
+const IN_PARTS: &str = "work in parts";
+
 /// Numbers of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Values {
@@ -99,16 +103,19 @@ impl Prepared {
         self.prepared.scene()
     }
 
-    pub(crate) fn prepared_scene(&self) -> &PreparedScene {
-        &self.prepared
-    }
-
     /// The names of all parameters of the scene; made by the first call.
     pub fn registry(&self) -> &Registry {
         self.registry.get_or_init(|| Registry::new(self.scene()))
     }
 
-    /// An image with its standard errors. An error only if the options ask for no samples.
+    /// An image with its standard errors. On the CPU it is an error only if the options ask for no
+    /// samples.
+    ///
+    /// A GPU ([`RenderOptions::device`]) takes the CPU's samples, with its random numbers, and rounds
+    /// differently: the same scene, seed, options and device give the same bits. The first image
+    /// opens the device, and the process keeps it until it is lost. An error if it is asked for and
+    /// there is none, if it has not all that the scene needs, or if it fails; the feature `gpu` must
+    /// have been built.
     ///
     /// If `watch` stops the work, what was done is returned, and the statistics say how
     /// much that is.
@@ -120,15 +127,17 @@ impl Prepared {
     /// let rendering = prepared.render(&RenderOptions::new(4, 1), &Unwatched)?;
     /// assert!(rendering.statistics.complete);
     /// assert!(rendering.value.standard_error.pixels[0].is_finite());
+    ///
+    /// let options = RenderOptions { device: capwalk::Device::Auto, ..RenderOptions::new(4, 1) };
+    /// let rendering = prepared.render(&options, &Unwatched)?;
+    /// println!("rendered on {}", rendering.statistics.device.name());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn render(
-        &self,
-        options: &RenderOptions,
-        watch: &dyn Watch,
-    ) -> Result<Rendering, OptionError> {
+    pub fn render(&self, options: &RenderOptions, watch: &dyn Watch) -> Result<Rendering, Error> {
         check_spp("spp", options.spp)?;
-        Ok(capwalk_diff::render(&self.prepared, options, watch))
+        let found = gpu_work::image(&self.prepared, options, watch)?;
+        let on_cpu = || Ok(capwalk_diff::render(&self.prepared, options, watch));
+        found.or_on_cpu(on_cpu, |image| &mut image.statistics)
     }
 
     /// The derivative of the image along a direction, such as `"ball.translate.x"`, per
@@ -136,6 +145,10 @@ impl Prepared {
     ///
     /// The first one by a motion lists the boundaries of the scene: [`Error::Stopped`] if `watch`
     /// stops that. If it stops the sampling, what was done is returned.
+    ///
+    /// A GPU, see [`Prepared::render`], has derivatives with respect to the numbers of materials, to
+    /// what emitters send, and to what moves, by [`Method::EDGES`]; [`Device::Auto`] takes the CPU
+    /// for what it has not.
     ///
     /// ```
     /// use capwalk::{GradientOptions, Unwatched};
@@ -154,11 +167,13 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<GradientImage, Error> {
-        Ok(self.gradient_work(direction, options)?.whole(watch)?)
+        let work = self.gradient_on_cpu(direction, options)?;
+        let found = gpu_work::gradient(&self.prepared, work.tangent(), options, watch)?;
+        found.or_on_cpu(|| Ok(work.whole(watch)?), |image| &mut image.statistics)
     }
 
-    /// The method that [`Prepared::gradient`] uses with these options, and what was tried to
-    /// find it: with [`Method::Auto`] a pilot chooses, in a small part of the time of a long
+    /// The method that [`Prepared::gradient`] uses on the CPU with these options, and what was tried
+    /// to find it: with [`Method::Auto`] a pilot chooses, in a small part of the time of a long
     /// gradient, and in at most half of that of a short one. A gradient with the options that
     /// come back has the same bits.
     ///
@@ -184,8 +199,8 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Chosen, Error> {
-        let work = self.gradient_work(direction, options)?;
-        Ok(work.chosen(watch)?)
+        refuse_gpu("the choice of a method", options.device)?;
+        Ok(self.gradient_on_cpu(direction, options)?.chosen(watch)?)
     }
 
     /// The derivative of the image along a direction by finite differences with common
@@ -247,7 +262,7 @@ impl Prepared {
         edge_on(self.scene(), tangent)
     }
 
-    /// A gradient and its reference by central differences, with a verdict.
+    /// A gradient and its reference by central differences, with a verdict. On the CPU.
     ///
     /// ```
     /// use capwalk::{CheckOptions, GradientOptions, Unwatched, Verdict};
@@ -267,8 +282,9 @@ impl Prepared {
         options: &CheckOptions,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
+        refuse_gpu("a check", options.gradient.device)?;
         let tangent = &*direction.tangent(self.scene(), self.registry())?;
-        let work = self.gradient_work(direction, &options.gradient)?;
+        let work = self.gradient_on_cpu(direction, &options.gradient)?;
         work.prepare(watch)?;
         // Before the gradient is estimated.
         let reference =
@@ -298,8 +314,9 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
+        refuse_gpu("a check", options.device)?;
         let again = |options: &GradientOptions, first: &GradientImage| {
-            let work = self.gradient_work(tangent, options)?;
+            let work = self.gradient_on_cpu(tangent, options)?;
             let mut gradient = work.whole(watch)?;
             // What is missing of the first is left out of both.
             if gradient.missing.is_none() {
@@ -386,7 +403,7 @@ impl Prepared {
     /// sums of numbers.
     ///
     /// `adjoint` is the derivative of a loss with respect to each pixel and channel. Its
-    /// noise must be independent of the seed of this call.
+    /// noise must be independent of the seed of this call. On a GPU, see [`Prepared::gradient`].
     ///
     /// ```
     /// use capwalk::{GradientOptions, Image, Rgb, Unwatched};
@@ -409,12 +426,16 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Gradients, Error> {
-        self.backward_work(adjoint, names, options)?.whole(watch)
+        let work = self.backward_on_cpu(adjoint, names, options)?;
+        let found = gpu_work::backward(&self.prepared, adjoint, work.wanted(), options, watch)?;
+        let on_cpu = || work.unnamed(watch);
+        let result = found.or_on_cpu(on_cpu, |result| &mut result.statistics)?;
+        Ok(work.by_name(result))
     }
 
     /// [`Prepared::render`] in parts, which may be computed elsewhere: each process loads
     /// the same scene and asks for other parts. Merged in any order they give the bits of
-    /// the whole.
+    /// the whole on the CPU.
     ///
     /// ```
     /// use capwalk::{Part, Partial, RenderOptions, Unwatched};
@@ -433,6 +454,7 @@ impl Prepared {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn render_work(&self, options: &RenderOptions) -> Result<RenderWork<'_>, OptionError> {
+        refuse_gpu(IN_PARTS, options.device)?;
         check_spp("spp", options.spp)?;
         Ok(RenderWork::new(&self.prepared, *options))
     }
@@ -443,9 +465,23 @@ impl Prepared {
         direction: &'a D,
         options: &GradientOptions,
     ) -> Result<GradientWork<'a>, Error> {
+        refuse_gpu(IN_PARTS, options.device)?;
+        self.gradient_on_cpu(direction, options)
+    }
+
+    /// The derivative of the image by the CPU, whatever device the options ask for.
+    fn gradient_on_cpu<'a, D: Direction + ?Sized>(
+        &'a self,
+        direction: &'a D,
+        options: &GradientOptions,
+    ) -> Result<GradientWork<'a>, Error> {
         check_spp("spp", options.spp)?;
         let tangent = direction.tangent(self.scene(), self.registry())?;
-        let work = GradientWork::new(&self.prepared, tangent, *options);
+        let on_cpu = GradientOptions {
+            device: Device::Cpu,
+            ..*options
+        };
+        let work = GradientWork::new(&self.prepared, tangent, on_cpu);
         // With a name of what moves, the method is kept.
         Ok(match direction.name() {
             Some(name) => {
@@ -488,6 +524,17 @@ impl Prepared {
         names: &[N],
         options: &GradientOptions,
     ) -> Result<GradientsWork<'a>, Error> {
+        refuse_gpu(IN_PARTS, options.device)?;
+        self.backward_on_cpu(adjoint, names, options)
+    }
+
+    /// The gradient of a loss by the CPU, whatever device the options ask for.
+    fn backward_on_cpu<'a, N: AsRef<str>>(
+        &'a self,
+        adjoint: &'a Image,
+        names: &[N],
+        options: &GradientOptions,
+    ) -> Result<GradientsWork<'a>, Error> {
         check_spp("spp", options.spp)?;
         if options.adaptive {
             return Err(OptionError::AdaptiveBackward.into());
@@ -498,12 +545,15 @@ impl Prepared {
             self.registry(),
             adjoint,
             names,
-            options,
+            GradientOptions {
+                device: Device::Cpu,
+                ..*options
+            },
             kept,
         )
     }
 
-    /// The method that [`Prepared::backward`] uses with these options, see
+    /// The method that [`Prepared::backward`] uses on the CPU with these options, see
     /// [`Prepared::choose`]. It does not depend on the adjoint, and is kept by what the names
     /// change.
     pub fn choose_backward<N: AsRef<str>>(
@@ -513,7 +563,8 @@ impl Prepared {
         options: &GradientOptions,
         watch: &dyn Watch,
     ) -> Result<Chosen, Error> {
-        self.backward_work(adjoint, names, options)?.chosen(watch)
+        refuse_gpu("the choice of a method", options.device)?;
+        self.backward_on_cpu(adjoint, names, options)?.chosen(watch)
     }
 
     /// Why derivatives with respect to parameters that move edges are refused in this
@@ -542,7 +593,8 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<ImageLoss, Error> {
         check_spp("spp", options.spp)?;
-        loss::measure(&self.prepared, loss, target, mask, options, watch)
+        let render = |options: &RenderOptions| self.render(options, watch);
+        loss::measure(self.scene(), loss, target, mask, options, render)
     }
 
     /// What an array of the scene is now.
@@ -681,7 +733,7 @@ mod tests {
         };
         let some = RenderOptions::new(2, 0);
         let errors = [
-            prepared.render(&none, &Unwatched).err().map(Error::from),
+            prepared.render(&none, &Unwatched).err(),
             prepared.render_work(&none).err().map(Error::from),
             prepared.gradient(name, &none.into(), &Unwatched).err(),
             prepared.gradient_work(name, &none.into()).err(),

@@ -147,6 +147,13 @@ pub fn note(layered: &mut LayeredImage, key: &str, value: impl ToString) {
     layered.metadata.push((key.to_owned(), value.to_string()));
 }
 
+/// Says which GPU computed an image, if one did.
+pub fn note_device(layered: &mut LayeredImage, statistics: &Statistics) {
+    if let Some(name) = &statistics.device.gpu {
+        note(layered, "device", name);
+    }
+}
+
 /// Says what was done, for an image whose layers all come from these pieces of
 /// work: the counts are sums, and it is complete if all of them are.
 pub fn push_statistics(layered: &mut LayeredImage, pieces: &[&Statistics]) {

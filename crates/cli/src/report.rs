@@ -71,6 +71,12 @@ pub fn work(what: &str, statistics: &Statistics, elapsed: f64) -> String {
     text
 }
 
+/// Why it was the CPU, where a GPU was there and could have been meant.
+pub fn remark_on_device(statistics: &Statistics) -> String {
+    let remark = statistics.device.remark.as_ref();
+    remark.map_or_else(String::new, |remark| format!("{remark}\n"))
+}
+
 /// The names of the files that were written, on one line.
 pub fn written(files: &[String]) -> String {
     format!("wrote {}\n", files.join(", "))

@@ -8,12 +8,13 @@ use capwalk_boundary::{Counts, Draw, Method, Refusal, Stream};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
-    Estimate, GradientImage, LeavesOut, Part, Partial, Plan, PreparedScene, Primal, RenderOptions,
-    Tracer, Watch, adaptive,
+    Estimate, LeavesOut, Part, Partial, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch,
+    adaptive,
 };
 use capwalk_scene::{Scene, Tangent};
 
 use crate::forward::left_out;
+use crate::gradient_image::GradientImage;
 
 /// Where images are taken for a difference, see [`finite_difference`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -227,6 +228,7 @@ impl<'a> Differences<'a> {
             value: averages.estimate(self.scene, 0),
             gradient: averages.estimate(self.scene, DERIVATIVE),
             missing: None,
+            chosen: None,
             statistics: averages.statistics,
         }
     }

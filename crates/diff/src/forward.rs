@@ -10,8 +10,8 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
-    GradientImage, Grid, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PreparedScene,
-    RenderOptions, Tracer, Watch, adaptive,
+    Grid, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PreparedScene, RenderOptions,
+    Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -19,6 +19,7 @@ use crate::adjoint::Wanted;
 use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize};
 use crate::coverage::Coverage;
 use crate::forward_eval::Forward;
+use crate::gradient_image::GradientImage;
 use crate::options::GradientOptions;
 use crate::refused::boundaries;
 
@@ -104,6 +105,11 @@ impl<'a> GradientWork<'a> {
         }
     }
 
+    /// What changes.
+    pub fn tangent(&self) -> &Tangent {
+        &self.tangent
+    }
+
     /// The cells that the work can be cut into.
     pub fn grid(&self) -> Grid {
         tiles::grid(self.prepared.scene(), &self.options.sampling())
@@ -117,8 +123,9 @@ impl<'a> GradientWork<'a> {
 
     /// All of it at once, see [`gradient`]; or of the rest of the light, see [`Self::of_rest`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
-        let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
-        Ok(self.gradient_image(partial.into_sums()))
+        let (chosen, part) = (self.chosen(watch)?, Part::whole(self.grid()));
+        let partial = self.sums(&chosen.options, None, &part, watch)?;
+        Ok(self.gradient_image(partial.into_sums(), chosen))
     }
 
     /// The method that the work is done by, see [`Method::Auto`]; found
@@ -146,7 +153,8 @@ impl<'a> GradientWork<'a> {
     /// the work. Refused like the whole.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<PixelSums>, PartError> {
         part.check(self.grid())?;
-        Ok(self.sums(Some(self.fingerprint()), part, watch)?)
+        let options = self.chosen(watch)?.options;
+        Ok(self.sums(&options, Some(self.fingerprint()), part, watch)?)
     }
 
     /// The derivative image, from all of its parts. The bits are those of [`gradient`].
@@ -154,16 +162,17 @@ impl<'a> GradientWork<'a> {
         let (scene, grid) = (self.prepared.scene(), self.grid());
         let right = |band: u32, sums: &PixelSums| sums.is_of(scene, grid, band, NUMBERS);
         let sums = parts.complete(self.fingerprint(), grid, right)?;
-        Ok(self.gradient_image(sums))
+        let chosen = Chosen::known_or_asked(&self.chosen, &self.options);
+        Ok(self.gradient_image(sums, chosen))
     }
 
     fn sums(
         &self,
+        options: &GradientOptions,
         work: Option<u64>,
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<PixelSums>, Refusal> {
-        let options = self.chosen(watch)?.options;
         let (scene, sampling) = (self.prepared.scene(), options.sampling());
         let boundaries = self.boundaries(watch)?;
         let (known, first) = (&self.counts, DERIVATIVE);
@@ -171,9 +180,9 @@ impl<'a> GradientWork<'a> {
             adaptive::sample_counts(known, scene, &sampling, watch, first, |pilot, watch| {
                 let part = Part::whole(tiles::grid(scene, pilot));
                 let even = SampleCounts::Even;
-                self.average(boundaries, &options, pilot, &even, None, &part, watch)
+                self.average(boundaries, options, pilot, &even, None, &part, watch)
             });
-        Ok(self.average(boundaries, &options, &sampling, &counts, work, part, watch))
+        Ok(self.average(boundaries, options, &sampling, &counts, work, part, watch))
     }
 
     /// Averages samples of this method, taken so, so many of each pixel.
@@ -258,7 +267,7 @@ impl<'a> GradientWork<'a> {
         self.coverage().check(options, watch)
     }
 
-    fn gradient_image(&self, sums: Vec<PixelSums>) -> GradientImage {
+    fn gradient_image(&self, sums: Vec<PixelSums>, chosen: Chosen) -> GradientImage {
         let scene = self.prepared.scene();
         let averages = Averages::new(sums);
         let value = averages.estimate(scene, 0);
@@ -272,6 +281,7 @@ impl<'a> GradientWork<'a> {
             value,
             gradient: averages.estimate(scene, DERIVATIVE),
             missing,
+            chosen: Some(chosen),
             statistics,
         }
     }

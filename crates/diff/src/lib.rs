@@ -13,6 +13,7 @@ mod coverage;
 mod finite;
 mod forward;
 mod forward_eval;
+mod gradient_image;
 mod options;
 mod refused;
 mod reverse;
@@ -24,9 +25,9 @@ pub use capwalk_boundary::{
     Gathers, Method, MethodTraits, Refusal, SpecularCause, may_be_specular,
 };
 pub use capwalk_render::{
-    Accumulate, Cell, Estimate, GradientImage, Grid, Halted, Missing, Part, PartError, Partial,
-    PixelSums, PreparedScene, Purpose, RenderOptions, RenderWork, Rendering, Seed, Statistics,
-    Unwatched, Watch, render,
+    Accumulate, Cell, Device, Estimate, Grid, Halted, Missing, Part, PartError, Partial, PixelSums,
+    PreparedScene, Purpose, RenderOptions, RenderWork, Rendering, Seed, Statistics, Unwatched,
+    UsedDevice, Watch, render,
 };
 pub use capwalk_walk::{Estimator, WalkSettings};
 
@@ -35,6 +36,7 @@ pub use auto::{Chosen, KeptChoice, PilotSize, Trial};
 pub use finite::{Differences, Stencil, finite_difference};
 pub use forward::{GradientWork, gradient};
 pub use forward_eval::Forward;
+pub use gradient_image::GradientImage;
 pub use options::{AllowMissing, GradientOptions};
 pub use refused::refusal;
 pub use reverse::{Backward, BackwardWork, BatchSums, backward};

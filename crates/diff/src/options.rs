@@ -1,7 +1,7 @@
 //! What a caller chooses about a gradient.
 
 use capwalk_boundary::Method;
-use capwalk_render::{Grid, RenderOptions};
+use capwalk_render::{Device, Grid, RenderOptions};
 use capwalk_scene::Scene;
 use capwalk_walk::WalkSettings;
 use serde::{Deserialize, Serialize};
@@ -29,6 +29,10 @@ pub struct GradientOptions {
     pub walk: WalkSettings,
     /// What may be left out of a derivative that would be refused otherwise.
     pub allow_missing: AllowMissing,
+    /// Where `Prepared` in the crate `capwalk` computes; the functions of this crate compute on the
+    /// CPU. Neither in fingerprints nor in stored bytes.
+    #[serde(skip)]
+    pub device: Device,
 }
 
 /// Parts of derivatives that may be left out. The rest is estimated as ever, and
@@ -41,7 +45,7 @@ pub struct AllowMissing {
 }
 
 impl Default for GradientOptions {
-    /// 64 samples per pixel, the seed 0, and the method that chooses.
+    /// 64 samples per pixel, the seed 0, and the method that chooses, on the CPU.
     fn default() -> Self {
         RenderOptions::default().into()
     }
@@ -55,6 +59,7 @@ impl From<RenderOptions> for GradientOptions {
             adaptive,
             seed,
             grid,
+            device,
         } = sampling;
         Self {
             spp,
@@ -65,6 +70,7 @@ impl From<RenderOptions> for GradientOptions {
             method: Method::default(),
             walk: WalkSettings::default(),
             allow_missing: AllowMissing::default(),
+            device,
         }
     }
 }
@@ -87,6 +93,50 @@ impl GradientOptions {
             adaptive: self.adaptive,
             seed: self.seed,
             grid: self.grid,
+            device: self.device,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_scene::{fingerprint, pack, unpack};
+
+    use super::*;
+
+    /// Work that was begun before options had a device goes on.
+    #[test]
+    fn devices_are_no_part_of_what_is_kept() {
+        let on = |device| GradientOptions {
+            device,
+            ..GradientOptions::default()
+        };
+        let [cpu, gpu] = [Device::Cpu, Device::Gpu].map(on);
+        // As of the fields that there were then.
+        let RenderOptions {
+            spp,
+            adaptive,
+            seed,
+            grid,
+            ..
+        } = gpu.sampling();
+        let images = fingerprint(&(spp, adaptive, seed, grid));
+        assert_eq!(fingerprint(&gpu.sampling()), images);
+        let (method, walk) = (gpu.method, gpu.walk);
+        let before = (
+            spp,
+            adaptive,
+            seed,
+            method,
+            grid,
+            gpu.blind,
+            walk,
+            gpu.allow_missing,
+        );
+        assert_eq!(fingerprint(&gpu), fingerprint(&before));
+        let bytes = [pack(&gpu), pack(&before)].map(|bytes| bytes.expect("they can be written"));
+        assert_eq!(bytes[0], bytes[1]);
+        let read: GradientOptions = unpack(&bytes[1]).expect("they are options");
+        assert_eq!(read, cpu);
     }
 }

@@ -36,13 +36,16 @@ pub struct Backward {
     batches: Vec<(Gradient, u64)>,
     /// Their mean, weighted by their samples.
     mean: Gradient,
+    /// The method that samples were differentiated by, or the one that was asked for if others chose
+    /// it and computed all parts.
+    pub chosen: Chosen,
     /// What was done.
     pub statistics: Statistics,
 }
 
 impl Backward {
     /// From independent estimates, at least one, each with how many samples it has, at least one.
-    pub fn new(batches: Vec<(Gradient, u64)>, statistics: Statistics) -> Self {
+    pub fn new(batches: Vec<(Gradient, u64)>, chosen: Chosen, statistics: Statistics) -> Self {
         // The mean over all samples, however many each batch has.
         let samples: u64 = batches.iter().map(|(_, n)| n).sum();
         let mut mean = batches[0].0.scaled(0.0);
@@ -52,6 +55,7 @@ impl Backward {
         Self {
             batches,
             mean,
+            chosen,
             statistics,
         }
     }
@@ -170,8 +174,10 @@ impl<'a> BackwardWork<'a> {
 
     /// All of it at once, see [`backward`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<Backward, Refusal> {
-        let partial = self.sums(None, &Part::whole(self.grid()), watch)?;
-        self.backward(partial.into_sums())
+        let part = Part::whole(self.grid());
+        let chosen = self.chosen_within_memory(&part, watch)?;
+        let partial = self.sums(&chosen.options, None, &part, watch)?;
+        self.backward(partial.into_sums(), chosen)
     }
 
     /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
@@ -200,7 +206,8 @@ impl<'a> BackwardWork<'a> {
     /// the work. Refused like the whole.
     pub fn part(&self, part: &Part, watch: &dyn Watch) -> Result<Partial<BatchSums>, PartError> {
         part.check(self.grid())?;
-        Ok(self.sums(Some(self.fingerprint()), part, watch)?)
+        let options = self.chosen_within_memory(part, watch)?.options;
+        Ok(self.sums(&options, Some(self.fingerprint()), part, watch)?)
     }
 
     /// The gradient, from all of its parts. The bits are those of [`backward`].
@@ -209,19 +216,25 @@ impl<'a> BackwardWork<'a> {
         let zero = Adjoint::zero(self.prepared.scene(), boundaries, &self.wanted);
         let right = |_, sums: &BatchSums| sums.mean.fits(&zero);
         let sums = parts.complete(self.fingerprint(), self.grid(), right)?;
-        Ok(self.backward(sums)?)
+        let chosen = Chosen::known_or_asked(&self.chosen, &self.options);
+        Ok(self.backward(sums, chosen)?)
+    }
+
+    /// [`Self::chosen`], unless the sums of a part do not fit into memory.
+    fn chosen_within_memory(&self, part: &Part, watch: &dyn Watch) -> Result<Chosen, Refusal> {
+        let numbers = self.wanted.numbers(self.prepared.scene());
+        refuse_sums_beyond_memory(numbers, self.copies(part), memory::available())?;
+        self.chosen(watch)
     }
 
     fn sums(
         &self,
+        options: &GradientOptions,
         work: Option<u64>,
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<BatchSums>, Refusal> {
-        let numbers = self.wanted.numbers(self.prepared.scene());
-        refuse_sums_beyond_memory(numbers, self.copies(part), memory::available())?;
-        let options = self.chosen(watch)?.options;
-        let mut pass = self.pass(&options, watch)?;
+        let mut pass = self.pass(options, watch)?;
         let grid = pass.grid;
         let cells = grid.cells().filter(|&cell| part.contains(cell));
         pass.total = cells
@@ -323,7 +336,7 @@ impl<'a> BackwardWork<'a> {
         self.coverage().check(options, watch)
     }
 
-    fn backward(&self, batches: Vec<BatchSums>) -> Result<Backward, Refusal> {
+    fn backward(&self, batches: Vec<BatchSums>, chosen: Chosen) -> Result<Backward, Refusal> {
         let (scene, accel) = (self.prepared.scene(), self.prepared.accel());
         // Built already, by what took the samples, or else in another process.
         let boundaries = self.boundaries(&Unwatched)?;
@@ -348,7 +361,7 @@ impl<'a> BackwardWork<'a> {
         // A sample may show what no probe has found: then the result says so.
         let is_missing = statistics.uncovered > 0 || self.coverage().is_incomplete(&self.options);
         statistics.missing = is_missing.then(|| missing(&radiances));
-        Ok(Backward::new(gradients, statistics))
+        Ok(Backward::new(gradients, chosen, statistics))
     }
 
     fn fingerprint(&self) -> u64 {

@@ -4,7 +4,7 @@ use capwalk_boundary::pool;
 use capwalk_gpu::GpuError;
 use capwalk_render::tiles::{Averages, SamplePlace};
 use capwalk_render::{
-    CameraEdge, RenderOptions, SampleRange, TooManyImages, Watch, average_on_device,
+    CameraEdge, RenderOptions, SampleRange, TooManyImages, UsedDevice, Watch, average_on_device,
 };
 
 use crate::camera_edges::CameraEdges;
@@ -83,7 +83,10 @@ impl DeviceScene<'_> {
             }
             Ok(Some(taken))
         };
-        average_on_device(self.prepared.scene(), options, || size.get(), watch, take)
+        let scene = self.prepared.scene();
+        let mut averages = average_on_device(scene, options, || size.get(), watch, take)?;
+        averages.statistics.device = UsedDevice::gpu(self.gpu.name());
+        Ok(averages)
     }
 
     /// The numbers of some samples; `None` if the watch stopped the work.

@@ -4,11 +4,11 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use capwalk_boundary::{Boundaries, Field, Viewpoint};
-use capwalk_diff::{Forward, GradientOptions, GradientWork, Wanted};
+use capwalk_diff::{Forward, GradientImage, GradientOptions, GradientWork, Wanted};
 use capwalk_geometry::buffers::NONE;
 use capwalk_math::Vec3;
 use capwalk_render::tiles::SamplePlace;
-use capwalk_render::{GradientImage, MotionFacts, SceneEval, Tracer, Watch};
+use capwalk_render::{MotionFacts, SceneEval, Tracer, Watch};
 use capwalk_scene::Tangent;
 
 use crate::averages::{MOST_PATHS, Task};
@@ -22,7 +22,7 @@ use crate::layout::change::{
 };
 use crate::render_kernels::FORWARD;
 use crate::texture_records::float;
-use crate::unsupported::{by_edges, unsupported_derivative};
+use crate::unsupported::{by_edges, settled, unsupported_derivative};
 
 impl DeviceScene<'_> {
     /// The derivative of the image for a unit change along `tangent`, with the image, as
@@ -141,6 +141,7 @@ impl DeviceScene<'_> {
             value: averages.estimate(scene, 0),
             gradient: averages.estimate(scene, 3),
             missing: None,
+            chosen: Some(settled(options, &Wanted::by(tangent))),
             statistics: averages.statistics,
         })
     }

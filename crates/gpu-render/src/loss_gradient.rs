@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use capwalk_boundary::{Boundaries, Field, Sampler, pool};
-use capwalk_diff::{Backward, BackwardWork, GradientOptions, Reverse, Wanted};
+use capwalk_diff::{Backward, BackwardWork, Chosen, GradientOptions, Reverse, Wanted};
 use capwalk_gpu::GpuError;
 use capwalk_math::Tape;
-use capwalk_render::{MotionFacts, Plan, SampleRange, Statistics, Tracer, Watch, tiles};
+use capwalk_render::{
+    MotionFacts, Plan, SampleRange, Statistics, Tracer, UsedDevice, Watch, tiles,
+};
 use capwalk_scene::{Gradient, Image};
 
 use crate::camera_back::CameraBack;
@@ -22,7 +24,7 @@ use crate::part_size::PartSize;
 use crate::paths::{Followed, Paths};
 use crate::render_kernels::REVERSE;
 use crate::texture_records::float;
-use crate::unsupported::{by_edges, unsupported_derivative, unsupported_options};
+use crate::unsupported::{by_edges, settled, unsupported_derivative, unsupported_options};
 
 /// Most samples that are on the device at a time: all their vertices are.
 const MOST_WITH_VERTICES: usize = 1 << 16;
@@ -132,6 +134,7 @@ impl DeviceScene<'_> {
         let words = crossed.as_ref().map_or(0, DeviceEdges::words);
         let pixels = 3 * adjoint.pixels.len();
         self.check_room_of_numbers(sums.changes().len() + pixels + words)?;
+        let chosen = settled(options, wanted);
         loop {
             let job = Job {
                 scene: self,
@@ -140,6 +143,7 @@ impl DeviceScene<'_> {
                 adjoint,
                 unit: exponent.exp2(),
                 options,
+                chosen: &chosen,
                 sums: &sums,
                 most,
                 watch,
@@ -162,6 +166,8 @@ struct Job<'a> {
     /// What the adjoint is divided by on the device.
     unit: f64,
     options: &'a GradientOptions,
+    /// These with the method that the device takes.
+    chosen: &'a Chosen,
     sums: &'a Sums<'a>,
     most: usize,
     watch: &'a dyn Watch,
@@ -203,7 +209,10 @@ impl<'a> Job<'a> {
         );
         let grid = tiles::grid(scene, &options.sampling());
         let pixels = scene.film.pixel_count();
-        let mut statistics = Statistics::default();
+        let mut statistics = Statistics {
+            device: UsedDevice::gpu(self.scene.gpu.name()),
+            ..Statistics::default()
+        };
         let (mut taken, mut done) = (0, 0);
         let mut batches: Vec<(Gradient, u64)> = Vec::new();
         for batch in 0..grid.batches {
@@ -267,7 +276,8 @@ impl<'a> Job<'a> {
         statistics.samples_per_pixel = vec![taken; pixels];
         statistics.complete = taken == options.spp;
         statistics.samples = u64::from(taken) * pixels as u64;
-        Ok(Some(Backward::new(batches, statistics)))
+        let chosen = self.chosen.clone();
+        Ok(Some(Backward::new(batches, chosen, statistics)))
     }
 
     /// From now on, so many vertices of each path are kept, of as many paths as fit.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use capwalk_boundary::{Accel, Field, MAX_EVENTS, may_be_specular};
-use capwalk_diff::{Gathers, GradientOptions, Method, Wanted};
+use capwalk_diff::{Chosen, Gathers, GradientOptions, Method, Wanted};
 use capwalk_render::{MotionFacts, Plan, PreparedScene, RenderOptions, Tracer};
 use capwalk_scene::{
     Bsdf, BsdfId, Emitter, Integrator, Quantity, SamplerKind, Scene, ShapeId, Slot, TextureId,
@@ -69,6 +69,17 @@ pub fn by_edges(method: &Method, accel: &Accel) -> Method {
         indirect: gathers.indirect && !accel.has_flat_events(),
         ..gathers
     })
+}
+
+/// The options with the method that the device takes for them. Where nothing moves all methods are one,
+/// and the choice of the CPU is the walk.
+pub fn settled(options: &GradientOptions, wanted: &Wanted) -> Chosen {
+    let method = match options.method {
+        Method::Auto if wanted.moves() => Method::EDGES,
+        Method::Auto => Method::Walk,
+        method => method,
+    };
+    GradientOptions { method, ..*options }.into()
 }
 
 /// The first thing that moves.

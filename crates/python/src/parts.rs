@@ -38,14 +38,14 @@ enum Task {
 /// What a task gives.
 enum Whole {
     Render(Rendering),
-    Gradient(Box<GradientImage>, GradientOptions),
-    Backward(Gradients, GradientOptions),
+    Gradient(Box<GradientImage>),
+    Backward(Gradients),
 }
 
 impl Task {
     fn new(py: Python<'_>, asked: Option<Asked>, options: &Options) -> PyResult<Self> {
         Ok(match asked {
-            None => Self::Render(options.sampling()),
+            None => Self::Render(options.sampling(py)?),
             Some(Asked::Gradient(along)) => Self::Gradient(along.into(), options.gradient(py)?),
             Some(Asked::Backward(adjoint, names)) => {
                 let adjoint = arrays::to_image("the adjoint", &adjoint)?;
@@ -73,11 +73,11 @@ impl Task {
             Self::Gradient(motion, options) => {
                 let direction = motion.direction(prepared)?;
                 let work = prepared.gradient_work(&direction, options)?;
-                Whole::Gradient(Box::new(work.finish(merged(parts)?)?), *options)
+                Whole::Gradient(Box::new(work.finish(merged(parts)?)?))
             }
             Self::Backward(adjoint, names, options) => {
                 let work = prepared.backward_work(adjoint, names, options)?;
-                Whole::Backward(work.finish(merged(parts)?)?, *options)
+                Whole::Backward(work.finish(merged(parts)?)?)
             }
         })
     }
@@ -159,14 +159,8 @@ pub fn merge<'py>(
     let whole = detached(py, || task.whole(views.prepared(view)?, &parts))?;
     match whole.map_err(|error| errors::exception(py, error))? {
         Whole::Render(image) => Ok(of_render(py, &image)?.into_pyobject(py)?.into_any()),
-        Whole::Gradient(image, options) => {
-            let results = of_gradient(py, &image, &options)?;
-            Ok(results.into_pyobject(py)?.into_any())
-        }
-        Whole::Backward(gradients, options) => {
-            let results = of_backward(py, &gradients, &options)?;
-            Ok(results.into_pyobject(py)?.into_any())
-        }
+        Whole::Gradient(image) => Ok(of_gradient(py, &image)?.into_pyobject(py)?.into_any()),
+        Whole::Backward(found) => Ok(of_backward(py, &found)?.into_pyobject(py)?.into_any()),
     }
 }
 

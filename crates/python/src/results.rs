@@ -14,21 +14,31 @@ use crate::{arrays, errors};
 /// An image and its standard errors, (height, width, 3) each.
 type Arrays<'py> = (Bound<'py, PyArray3<f64>>, Bound<'py, PyArray3<f64>>);
 
-/// An image and what was done.
-pub type OfRender<'py> = (Arrays<'py>, Bound<'py, PyDict>);
+/// The GPU's name, or `cpu`, and why it was the CPU if a GPU could have been meant.
+type OfDevice = (String, Option<String>);
+
+/// An image, what was done, and where.
+pub type OfRender<'py> = (Arrays<'py>, Bound<'py, PyDict>, OfDevice);
 
 /// The name of a method, and what a pilot found for it, as bytes.
 pub type OfMethod<'py> = (&'static str, Bound<'py, PyBytes>);
 
-/// An image, its derivative, the method, and what was done.
-pub type OfGradient<'py> = (Arrays<'py>, Arrays<'py>, OfMethod<'py>, Bound<'py, PyDict>);
+/// An image, its derivative, the method, what was done, and where.
+pub type OfGradient<'py> = (
+    Arrays<'py>,
+    Arrays<'py>,
+    OfMethod<'py>,
+    Bound<'py, PyDict>,
+    OfDevice,
+);
 
-/// The gradient of a loss and its standard errors by names, the method, and what was done.
+/// The gradient of a loss and its standard errors by names, the method, what was done, and where.
 pub type OfBackward<'py> = (
     Bound<'py, PyDict>,
     Bound<'py, PyDict>,
     OfMethod<'py>,
     Bound<'py, PyDict>,
+    OfDevice,
 );
 
 /// A gradient, its reference, and all numbers of their comparison.
@@ -38,36 +48,34 @@ pub fn of_render<'py>(py: Python<'py>, image: &Rendering) -> PyResult<OfRender<'
     Ok((
         of_estimate(py, &image.value)?,
         of_statistics(py, &image.statistics)?,
+        of_device(&image.statistics),
     ))
 }
 
-pub fn of_gradient<'py>(
-    py: Python<'py>,
-    image: &GradientImage,
-    options: &GradientOptions,
-) -> PyResult<OfGradient<'py>> {
+/// A derivative image by samples that were differentiated.
+pub fn of_gradient<'py>(py: Python<'py>, image: &GradientImage) -> PyResult<OfGradient<'py>> {
+    let chosen = image.chosen.as_ref();
+    let chosen = chosen.expect("finite differences alone have no method");
     Ok((
         of_estimate(py, &image.value)?,
         of_estimate(py, &image.gradient)?,
-        of_method(py, options)?,
+        of_method(py, &chosen.options)?,
         of_statistics(py, &image.statistics)?,
+        of_device(&image.statistics),
     ))
 }
 
-pub fn of_backward<'py>(
-    py: Python<'py>,
-    gradients: &Gradients,
-    options: &GradientOptions,
-) -> PyResult<OfBackward<'py>> {
+pub fn of_backward<'py>(py: Python<'py>, gradients: &Gradients) -> PyResult<OfBackward<'py>> {
     let [values, errors] = [PyDict::new(py), PyDict::new(py)];
     for gradient in gradients {
         let array = |numbers: &[f64]| arrays::from_numbers(py, &gradient.shape, numbers.to_vec());
         values.set_item(&gradient.name, array(&gradient.numbers)?)?;
         errors.set_item(&gradient.name, array(&gradient.standard_errors)?)?;
     }
-    let method = of_method(py, options)?;
+    let method = of_method(py, &gradients.chosen.options)?;
     let statistics = of_statistics(py, &gradients.statistics)?;
-    Ok((values, errors, method, statistics))
+    let device = of_device(&gradients.statistics);
+    Ok((values, errors, method, statistics, device))
 }
 
 /// The method of these options, for `options.chosen`.
@@ -169,4 +177,9 @@ fn of_statistics<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Boun
     numbers.set_item("missing", share)?;
     numbers.set_item("missing_text", missing.map(missing_text))?;
     Ok(numbers)
+}
+
+fn of_device(statistics: &Statistics) -> OfDevice {
+    let device = &statistics.device;
+    (device.name().to_owned(), device.remark.clone())
 }

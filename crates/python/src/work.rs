@@ -50,8 +50,11 @@ pub struct Options<'py> {
 }
 
 impl<'py> Options<'py> {
-    pub fn sampling(&self) -> RenderOptions {
-        RenderOptions::new(self.spp, self.seed)
+    pub fn sampling(&self, py: Python<'_>) -> PyResult<RenderOptions> {
+        Ok(RenderOptions {
+            device: self.device(py)?,
+            ..RenderOptions::new(self.spp, self.seed)
+        })
     }
 
     pub fn view(&self, py: Python<'_>) -> PyResult<ViewId> {
@@ -68,7 +71,7 @@ impl<'py> Options<'py> {
     pub fn gradient(&self, py: Python<'_>) -> PyResult<GradientOptions> {
         let sampled = GradientOptions {
             allow_missing: self.allowed(py)?,
-            ..self.sampling().into()
+            ..self.sampling(py)?.into()
         };
         if let Some(chosen) = &self.chosen {
             let (method, walk) =
@@ -164,13 +167,9 @@ pub fn run<T: Send>(
 #[pyfunction]
 pub fn check_options(py: Python<'_>, options: Options<'_>) -> PyResult<()> {
     options.view(py)?;
-    options.device(py)?;
     options.gradient(py)?;
     Ok(())
 }
-
-/// What was asked for; the GPU's name, or why it was the CPU if a GPU could have been meant.
-type There<T> = (T, Option<String>, Option<String>);
 
 /// The image and what was done, and where.
 #[pyfunction]
@@ -178,13 +177,12 @@ pub fn render<'py>(
     py: Python<'py>,
     scene: &Scene,
     options: Options<'py>,
-) -> PyResult<There<OfRender<'py>>> {
-    let device = options.device(py)?;
-    let sampling = options.sampling();
+) -> PyResult<OfRender<'py>> {
+    let sampling = options.sampling(py)?;
     let image = run(py, scene, &options, &[], |prepared, watch| {
-        prepared.render_on(device, &sampling, watch)
+        prepared.render(&sampling, watch)
     })?;
-    Ok((of_render(py, &image.result)?, image.adapter, image.remark))
+    of_render(py, &image)
 }
 
 /// The image, its derivative, the method and what was done, and where.
@@ -194,16 +192,14 @@ pub fn gradient<'py>(
     scene: &Scene,
     along: Along<'py>,
     options: Options<'py>,
-) -> PyResult<There<OfGradient<'py>>> {
-    let (device, asked) = (options.device(py)?, options.gradient(py)?);
+) -> PyResult<OfGradient<'py>> {
+    let asked = options.gradient(py)?;
     let motion = Motion::from(along);
     let image = run(py, scene, &options, &motion.names(), |prepared, watch| {
         let direction = motion.direction(prepared)?;
-        prepared.gradient_on(device, &direction, &asked, watch)
+        prepared.gradient(&direction, &asked, watch)
     })?;
-    let options = image.chosen.map_or(asked, |chosen| chosen.options);
-    let result = of_gradient(py, &image.result, &options)?;
-    Ok((result, image.adapter, image.remark))
+    of_gradient(py, &image)
 }
 
 /// The gradient of a loss and its standard errors by names, and what was done, and where.
@@ -214,16 +210,14 @@ pub fn backward<'py>(
     adjoint: PyReadonlyArrayDyn<'py, f64>,
     names: Vec<String>,
     options: Options<'py>,
-) -> PyResult<There<OfBackward<'py>>> {
-    let (device, asked) = (options.device(py)?, options.gradient(py)?);
+) -> PyResult<OfBackward<'py>> {
+    let asked = options.gradient(py)?;
     let adjoint = arrays::to_image("the adjoint", &adjoint)?;
     let texts: Vec<&str> = names.iter().map(String::as_str).collect();
-    let found = run(py, scene, &options, &texts, |prepared, watch| {
-        prepared.backward_on(device, &adjoint, &names, &asked, watch)
+    let gradients = run(py, scene, &options, &texts, |prepared, watch| {
+        prepared.backward(&adjoint, &names, &asked, watch)
     })?;
-    let options = found.chosen.map_or(asked, |chosen| chosen.options);
-    let result = of_backward(py, &found.result, &options)?;
-    Ok((result, found.adapter, found.remark))
+    of_backward(py, &gradients)
 }
 
 /// The gradient, its reference, and all numbers of their comparison.

@@ -3,6 +3,8 @@
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
+use crate::device::UsedDevice;
+
 /// An estimated image and its error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
@@ -18,20 +20,6 @@ pub struct Estimate {
 pub struct Rendering {
     /// The image.
     pub value: Estimate,
-    /// What was done.
-    pub statistics: Statistics,
-}
-
-/// A derivative image, with the image that came with it.
-#[derive(Clone, Debug)]
-pub struct GradientImage {
-    /// The image.
-    pub value: Estimate,
-    /// Its derivative per unit of the parameter.
-    pub gradient: Estimate,
-    /// Where something is left out of the derivative, see [`Statistics::missing`]: what of the
-    /// image arrives by paths that it concerns, the mean over the channels in each of them.
-    pub missing: Option<Estimate>,
     /// What was done.
     pub statistics: Statistics,
 }
@@ -60,6 +48,8 @@ pub struct Statistics {
     pub effort: u64,
     /// What these concern, if there are any in a derivative.
     pub missing: Option<Missing>,
+    /// Where it was computed.
+    pub device: UsedDevice,
 }
 
 /// What a derivative leaves out: how silhouettes and hard shadows move that are seen by specular

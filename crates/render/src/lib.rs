@@ -10,6 +10,7 @@ pub mod adaptive;
 mod aov;
 mod average_on_device;
 mod camera;
+mod device;
 mod direct_edge_term;
 mod emitter_choice;
 mod emitter_edge_term;
@@ -54,8 +55,9 @@ mod visible_motion;
 
 pub use average_on_device::average_on_device;
 pub use capwalk_geometry::Halted;
+pub use device::{Device, UsedDevice};
 pub use emitter_sampler::{DirectionSampler, EmitterSampler};
-pub use estimate::{Estimate, GradientImage, Missing, Rendering, Statistics};
+pub use estimate::{Estimate, Missing, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
 pub use image::{RenderWork, render};
 pub use motion_facts::MotionFacts;

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use capwalk_scene::Scene;
 
+use crate::device::Device;
 use crate::grid::Grid;
 use crate::seed::Seed;
 
@@ -20,23 +21,28 @@ pub struct RenderOptions {
     /// The cells that the samples are cut into, for work in parts. Another grid rounds
     /// differently, in the last bits.
     pub grid: Grid,
+    /// Where `Prepared` in the crate `capwalk` computes; the functions of this crate and of
+    /// `capwalk-diff` compute on the CPU. Not in fingerprints.
+    #[serde(skip)]
+    pub device: Device,
 }
 
 impl Default for RenderOptions {
-    /// 64 samples per pixel and the seed 0.
+    /// 64 samples per pixel and the seed 0, on the CPU.
     fn default() -> Self {
         Self::new(64, 0)
     }
 }
 
 impl RenderOptions {
-    /// So many samples per pixel, from this seed.
+    /// So many samples per pixel, from this seed, on the CPU.
     pub const fn new(spp: u32, seed: u64) -> Self {
         Self {
             spp,
             adaptive: false,
             seed,
             grid: Grid::DEFAULT,
+            device: Device::Cpu,
         }
     }
 

@@ -10,6 +10,7 @@ use capwalk_scene::{Image, Scene};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use crate::device::UsedDevice;
 use crate::estimate::{Estimate, Statistics};
 use crate::grid::{Grid, Part};
 use crate::options::{RenderOptions, Watch};
@@ -367,6 +368,7 @@ impl Averages {
             uncovered: sum(|pixel| pixel.uncovered),
             effort: sum(|pixel| pixel.effort),
             missing: None,
+            device: UsedDevice::default(),
         };
         let numbers: usize = bands.iter().map(|band| band.moments.len()).sum();
         Self {

@@ -331,6 +331,7 @@ mod tests {
         Run {
             image: GradientImage {
                 missing: None,
+                chosen: None,
                 value: gradient.clone(),
                 gradient,
                 statistics: Statistics::default(),

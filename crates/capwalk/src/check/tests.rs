@@ -3,7 +3,7 @@
 mod verdicts;
 
 use super::*;
-use capwalk_diff::{Estimate, Statistics};
+use capwalk_diff::{Estimate, Statistics, UsedDevice};
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
@@ -50,6 +50,7 @@ fn waves(seed: u64, factor: f64, spikes: f64, noise: f64) -> GradientImage {
             standard_error: flat(noise),
         },
         missing: None,
+        chosen: None,
         statistics: Statistics {
             samples_per_pixel: vec![1000; SIDE * SIDE],
             complete: true,
@@ -59,6 +60,7 @@ fn waves(seed: u64, factor: f64, spikes: f64, noise: f64) -> GradientImage {
             uncovered: 0,
             effort: 0,
             missing: None,
+            device: UsedDevice::default(),
         },
     }
 }

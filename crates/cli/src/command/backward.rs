@@ -9,7 +9,7 @@ use capwalk::params::shape_text;
 use capwalk::scene_io::arrays::{self, Array, Arrays, LONGEST_NAME, METADATA};
 use capwalk::text::{cut, listed};
 use capwalk::{
-    Chosen, Distance, Error, FilesRead, GradientOptions, Gradients, Image, ImageLoss, Loss,
+    Distance, Error, FilesRead, GradientOptions, Gradients, Image, ImageLoss, Loss,
     ParameterGradient, Prepared, Refusal, RenderOptions, Scene, read_layer,
 };
 use serde_json::{Value, json};
@@ -35,7 +35,12 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     };
     check_names(&names, args.errors)?;
     let sampling = source::options(&args.sampling, scene);
-    let options = method::options(sampling, &args.method)?;
+    // The image of a loss comes from the CPU.
+    let on_device = RenderOptions {
+        device: args.device,
+        ..sampling
+    };
+    let options = method::options(on_device, &args.method)?;
     read.extend(
         &[&args.objective.adjoint, &args.target]
             .into_iter()
@@ -57,8 +62,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         .map_or(&given, |loss| &loss.image.measured.adjoint);
     let rest = progress::left_of(args.sampling.time_limit);
     let progress = Progress::new("gradient", rest);
-    let differentiate =
-        |names: &[String]| prepared.backward_on(args.device, adjoint, names, &options, &progress);
+    let differentiate = |names: &[String]| prepared.backward(adjoint, names, &options, &progress);
     let mut result = differentiate(&names);
     // Nobody asked for what is refused because of other arrays that move.
     let mut left_out = None;
@@ -75,23 +79,16 @@ pub fn run(args: &Backward) -> Result<Outcome> {
     if let Some(text) = left_out {
         console::remark(&text);
     }
-    let found = result.map_err(|error| match error {
+    let gradients = result.map_err(|error| match error {
         Error::Refused(refusal @ Refusal::SpecularMotion { .. }) => anyhow!(
             "{refusal}\n  help: --allow-missing specular leaves it out and says so; arrays of \
              colours and texels (-p NAME) need neither"
         ),
         error => error.into(),
     })?;
-    if let Some(remark) = &found.remark {
-        console::remark(&format!("{remark}\n"));
-    }
-    let gradients = found.result;
-    let chosen = found.chosen.unwrap_or(Chosen {
-        options,
-        trials: Vec::new(),
-    });
-    let options = chosen.options;
+    let (chosen, options) = (&gradients.chosen, gradients.chosen.options);
     let statistics = &gradients.statistics;
+    console::remark(&report::remark_on_device(statistics));
     if statistics.samples == 0 {
         return report::nothing("a sample of the gradient was taken");
     }
@@ -103,7 +100,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         console::remark(&report::warnings("image", &loss.image.statistics));
         pieces.push(&loss.image.statistics);
     }
-    method::log(&chosen);
+    method::log(chosen);
     console::remark(&method::remark(&options));
     console::remark(&report::warnings("gradient", statistics));
     if args.json {
@@ -114,8 +111,8 @@ pub fn run(args: &Backward) -> Result<Outcome> {
             "spp": options.spp,
             "seed": options.seed,
             "method": options.method.name(),
-            "choice": method::choice_json(&chosen),
-            "device": found.adapter.as_deref().unwrap_or("cpu"),
+            "choice": method::choice_json(chosen),
+            "device": statistics.device.name(),
             "loss": loss.as_ref().map(MeasuredLoss::to_json),
             "parameters": gradients.iter().map(to_json).collect::<Vec<_>>(),
             "statistics": report::statistics_json(statistics, elapsed),

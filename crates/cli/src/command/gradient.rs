@@ -2,7 +2,7 @@
 
 use anyhow::{Result, bail, ensure};
 use capwalk::scene_io::image::LayeredImage;
-use capwalk::{Chosen, Device, DifferenceOptions, GradientImage, RenderOptions};
+use capwalk::{Device, DifferenceOptions, GradientImage, GradientOptions, RenderOptions};
 use serde_json::json;
 
 use crate::args::{Gradient, GradientOn, SceneArgs, TypedMethod};
@@ -23,29 +23,17 @@ pub fn run(
     let tangent = direction::tangent(&prepared, &args.tangent, &mut read)?;
     let options = RenderOptions {
         adaptive: args.adaptive,
+        device: *device,
         ..source::options(&args.sampling, scene)
     };
     memory::check(scene, Need::Gradient)?;
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"], &read)?;
 
-    let mut way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
+    let way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
     let progress = Progress::new("gradient", progress::left_of(args.sampling.time_limit));
-    let mut place = Place::default();
-    let result = match &mut way {
-        Way::Samples(chosen) => {
-            let found = prepared.gradient_on(*device, &tangent, &chosen.options, &progress);
-            found.map(|found| {
-                place = Place {
-                    adapter: found.adapter,
-                    remark: found.remark,
-                };
-                if let Some(found) = found.chosen {
-                    *chosen = found;
-                }
-                found.result
-            })
-        }
+    let result = match way {
+        Way::Samples(options) => prepared.gradient(&tangent, &options, &progress),
         Way::Differences { .. } if *device == Device::Gpu => {
             bail!("--method fd has no GPU: leave out --device, or take another method")
         }
@@ -54,29 +42,27 @@ pub fn run(
                 spp: options.spp,
                 adaptive: options.adaptive,
                 seed: options.seed,
-                step: Some(*step),
+                step: Some(step),
             };
             prepared.finite_difference(&tangent, &options, &progress)
         }
     };
     let elapsed = progress.finish().as_secs_f64();
     let result = result?;
-    if let Some(remark) = &place.remark {
-        console::remark(&format!("{remark}\n"));
-    }
 
     let (value, gradient, statistics) = (&result.value, &result.gradient, &result.statistics);
+    console::remark(&report::remark_on_device(statistics));
     if statistics.samples == 0 {
         return report::nothing("a sample of the gradient was taken");
     }
     let parameter = direction::describe(&args.tangent);
-    let mut layered = layered(&args.scene, &parameter, way.name(), &options, &result);
+    let chosen = result.chosen.as_ref();
+    let method = chosen.map_or("fd", |chosen| chosen.options.method.name());
+    let mut layered = layered(&args.scene, &parameter, method, &options, &result);
     if let Some(step) = way.step() {
         output::note(&mut layered, "step", step);
     }
-    if let Some(adapter) = &place.adapter {
-        output::note(&mut layered, "device", adapter);
-    }
+    output::note_device(&mut layered, statistics);
     // An image of a part says so.
     let title = output::gradient_title(statistics);
     let panels = match &statistics.missing {
@@ -84,8 +70,13 @@ pub fn run(
         Some(_) => vec![output::gradient_panel(&title, &gradient.mean)],
     };
     let written = files.write(&layered, &panels)?;
-    way.chosen().into_iter().for_each(method::log);
-    console::remark(&way.remark());
+    match chosen {
+        Some(chosen) => {
+            method::log(chosen);
+            console::remark(&method::remark(&chosen.options));
+        }
+        None => console::remark(method::remark_on_differences()),
+    }
     console::remark(&report::warnings("gradient", statistics));
     let variance = report::variance_per_sample(gradient, statistics);
     if args.output.json {
@@ -96,10 +87,10 @@ pub fn run(
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
-            "method": way.name(),
-            "choice": way.chosen().map(method::choice_json),
+            "method": method,
+            "choice": chosen.map(method::choice_json),
             "step": way.step(),
-            "device": place.adapter.as_deref().unwrap_or("cpu"),
+            "device": statistics.device.name(),
             "mean": report::mean_colour(&value.mean),
             "mean_gradient": report::mean_colour(&gradient.mean),
             "variance_per_sample": variance,
@@ -121,17 +112,10 @@ pub fn run(
     Ok(report::outcome(&[statistics]))
 }
 
-/// Where the gradient was computed: on a GPU of this name, or why not.
-#[derive(Default)]
-struct Place {
-    adapter: Option<String>,
-    remark: Option<String>,
-}
-
 /// How the gradient is made.
 enum Way {
     /// Samples are differentiated.
-    Samples(Chosen),
+    Samples(GradientOptions),
     /// Images on both sides are subtracted.
     Differences {
         /// In units of the parameter.
@@ -157,33 +141,7 @@ impl Way {
              --method fd",
             typed.name()
         );
-        Ok(Self::Samples(Chosen {
-            options: method::options(options, &args.method)?,
-            trials: Vec::new(),
-        }))
-    }
-
-    fn name(&self) -> &'static str {
-        match self {
-            Self::Samples(chosen) => chosen.options.method.name(),
-            Self::Differences { .. } => "fd",
-        }
-    }
-
-    /// What is to be said about its standard errors.
-    fn remark(&self) -> String {
-        match self {
-            Self::Samples(chosen) => method::remark(&chosen.options),
-            Self::Differences { .. } => method::remark_on_differences().into(),
-        }
-    }
-
-    /// How its method was chosen.
-    fn chosen(&self) -> Option<&Chosen> {
-        match self {
-            Self::Samples(chosen) => Some(chosen),
-            Self::Differences { .. } => None,
-        }
+        Ok(Self::Samples(method::options(options, &args.method)?))
     }
 
     fn step(&self) -> Option<f64> {

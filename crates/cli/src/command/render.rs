@@ -16,6 +16,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let scene = prepared.scene();
     let options = RenderOptions {
         adaptive: args.adaptive,
+        device: args.device,
         ..source::options(&args.sampling, scene)
     };
     memory::check(scene, Need::Image)?;
@@ -23,21 +24,15 @@ pub fn run(args: &Render) -> Result<Outcome> {
     let files = Files::new(&args.output.output, &stem, &["exr", "png"], &read)?;
 
     let progress = Progress::new("render", progress::left_of(args.sampling.time_limit));
-    let found = prepared.render_on(args.device, &options, &progress)?;
+    let rendering = prepared.render(&options, &progress)?;
     let elapsed = progress.finish().as_secs_f64();
-    if let Some(remark) = &found.remark {
-        console::remark(&format!("{remark}\n"));
-    }
-    let (rendering, adapter) = (found.result, found.adapter);
-
     let (value, statistics) = (&rendering.value, &rendering.statistics);
+    console::remark(&report::remark_on_device(statistics));
     if statistics.samples == 0 {
         return report::nothing("a sample of the image was taken");
     }
     let mut layered = output::layered("render", &args.scene, None, &options);
-    if let Some(adapter) = &adapter {
-        output::note(&mut layered, "device", adapter);
-    }
+    output::note_device(&mut layered, statistics);
     output::push_statistics(&mut layered, &[statistics]);
     output::push_estimate(&mut layered, "value", "stderr", value);
     let written = files.write(&layered, &[])?;
@@ -49,7 +44,7 @@ pub fn run(args: &Render) -> Result<Outcome> {
             "size": scene.film.crop_size,
             "spp": options.spp,
             "seed": options.seed,
-            "device": adapter.as_deref().unwrap_or("cpu"),
+            "device": statistics.device.name(),
             "mean": report::mean_colour(&value.mean),
             "statistics": report::statistics_json(statistics, elapsed),
             "files": written,

@@ -57,6 +57,8 @@ fn derivatives_come_from_the_device_that_is_asked_for() {
             assert!((a - b).abs() <= 1e-4 * b.abs(), "{what}: {a} {b}");
         }
     }
+    // Where nothing moves, all methods are one.
+    assert_eq!(gpu["method"], "walk");
     let backward = "backward leaf --spp 4 --size 16x12 --json --loss l2 --target cpu.exr";
     let [cpu, gpu] = ["cpu", "gpu"].map(|device| {
         capwalk.json(&format!(
@@ -75,6 +77,13 @@ fn derivatives_come_from_the_device_that_is_asked_for() {
     let moving = "gradient leaf --spp 64 --size 16x12 --json --method edges -p leaf.translate.x";
     let [cpu, gpu] = ["cpu", "gpu"]
         .map(|device| capwalk.json(&format!("{moving} --device {device} -o moving.exr")));
+    // Where all methods are open, a GPU has edges.
+    let open = moving
+        .replace("--spp 64", "--spp 1")
+        .replace("--method edges ", "");
+    let open = capwalk.json(&format!("{open} --device gpu -o open.exr"));
+    assert_eq!(open["method"], "edges");
+    assert_eq!(open["choice"]["trials"], serde_json::json!([]));
     // Variances are those of a pixel, the means those of 192 pixels.
     let variance = [&gpu, &cpu].map(|json| json["variance_per_sample"].as_f64().expect("one"));
     let error = (variance.iter().sum::<f64>() / (64.0 * 192.0)).sqrt();

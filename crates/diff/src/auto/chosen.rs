@@ -24,7 +24,22 @@ pub struct Chosen {
 #[derive(Clone, Debug, Default)]
 pub struct KeptChoice(Arc<OnceLock<Chosen>>);
 
+/// Options that leave nothing to be chosen.
+impl From<GradientOptions> for Chosen {
+    fn from(options: GradientOptions) -> Self {
+        Self {
+            options,
+            trials: Vec::new(),
+        }
+    }
+}
+
 impl Chosen {
+    /// What is known, or else what was asked for.
+    pub(crate) fn known_or_asked(known: &OnceLock<Self>, options: &GradientOptions) -> Self {
+        known.get().cloned().unwrap_or((*options).into())
+    }
+
     /// What is known; else, unless `refuse` has an objection, the options themselves if they
     /// leave nothing to be chosen, or what is kept, or what `choose` gives, the one like the other
     /// as far as it covers what moves now. That becomes known and is kept unless the watch stopped
@@ -52,10 +67,7 @@ impl Chosen {
                 let kept = kept.0.get_or_init(|| chosen).clone();
                 kept.covering_most(options.method, coverage)
             }
-            (false, _) => Self {
-                options: *options,
-                trials: Vec::new(),
-            },
+            (false, _) => (*options).into(),
         };
         Ok(known.get_or_init(|| chosen.of_work(options)).clone())
     }

@@ -13,10 +13,11 @@
 //! and the size of events from the pixels that met some. A gradient is called wrong only if
 //! these errors do not explain the differences either.
 
-use capwalk_render::{Estimate, GradientImage};
+use capwalk_render::Estimate;
 
 use super::pixel::channel;
 use super::{Comparison, EXCLUDED_AT, EXCLUDED_ERROR, FALSE_ALARM, Verdict, compared, doubtful};
+use crate::gradient_image::GradientImage;
 
 /// So many pixels with an event are enough for the statistics of a comparison.
 const ENOUGH: usize = 10;

@@ -1,8 +1,9 @@
 //! Differences that are rounding, and nothing else.
 
 use capwalk_math::Rgb;
+use capwalk_render::Estimate;
 
-use capwalk_render::{Estimate, GradientImage};
+use crate::gradient_image::GradientImage;
 
 /// What rounding can leave of a difference of two images, in units of their
 /// largest value: some thousand operations in double precision, each off by

@@ -454,6 +454,7 @@ fn rounding_counts_as_zero() {
     let gradient = with_corner(&gradient, 1e-3, 1e-5);
     let image = |gradient: Estimate| crate::GradientImage {
         missing: None,
+        chosen: None,
         value: estimate_of(|_, _| (0.5, 0.01)),
         gradient,
         statistics: Default::default(),
@@ -477,6 +478,7 @@ fn rounding_counts_as_zero() {
 fn with_samples(gradient: Estimate, samples: u32) -> crate::GradientImage {
     crate::GradientImage {
         missing: None,
+        chosen: None,
         value: estimate_of(|_, _| (1.0, 0.1 / f64::from(samples).sqrt())),
         gradient,
         statistics: crate::Statistics {

@@ -1,11 +1,11 @@
 //! The boundary term of the edges that the camera sees: beside the CPU's, sample by sample, in
 //! scenes whose derivative has no other term.
 
-use capwalk_diff::{GradientOptions, Method, Wanted};
+use capwalk_diff::{GradientImage, GradientOptions, Method, Wanted};
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_render::{GradientImage, PreparedScene, RenderOptions, Unwatched, Watch};
+use capwalk_render::{PreparedScene, RenderOptions, Unwatched, Watch};
 use capwalk_scene::{Scene, ShapeVectors, Tangent};
 
 use crate::beside::different;

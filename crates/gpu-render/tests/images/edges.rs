@@ -3,11 +3,11 @@
 
 use std::path::Path;
 
-use capwalk_diff::{GradientOptions, Method};
+use capwalk_diff::{GradientImage, GradientOptions, Method};
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::DeviceScene;
 use capwalk_math::{Rgb, Vec3};
-use capwalk_render::{Estimate, GradientImage, Grid, PreparedScene, RenderOptions, Unwatched};
+use capwalk_render::{Estimate, Grid, PreparedScene, RenderOptions, Unwatched};
 use capwalk_scene::{Scene, ShapeVectors, Tangent};
 
 use crate::device;

@@ -103,7 +103,7 @@ fn panels<'a>(check: &'a Check, title: &'a str, z: &'a Image) -> [Panel<'a>; 4] 
 #[cfg(test)]
 mod tests {
     use capwalk::{
-        Chosen, Estimate, GradientImage, GradientOptions, Method, Reference, Statistics,
+        Chosen, Estimate, GradientImage, GradientOptions, Method, Reference, Statistics, UsedDevice,
     };
 
     use super::*;
@@ -116,6 +116,7 @@ mod tests {
         };
         GradientImage {
             missing: None,
+            chosen: None,
             value: estimate.clone(),
             gradient: estimate,
             statistics: Statistics {
@@ -127,6 +128,7 @@ mod tests {
                 uncovered: 0,
                 effort: 0,
                 missing: None,
+                device: UsedDevice::default(),
             },
         }
     }
