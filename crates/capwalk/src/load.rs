@@ -8,6 +8,7 @@ use capwalk_scene_io::{
 };
 
 use crate::error::Error;
+use crate::method::Choice;
 use crate::setting::{Setting, set};
 
 /// The scene in a Mitsuba 3 XML or glTF file, or the built-in scene of this name.
@@ -23,6 +24,35 @@ use crate::setting::{Setting, set};
 /// ```
 pub fn load(name: impl AsRef<Path>) -> Result<Loaded, Error> {
     Loader::new(name).load()
+}
+
+/// With the widths that are Mitsuba's defaults.
+impl Choice for Filter {
+    const NAMES: &'static [(&'static str, Self)] = &[
+        ("box", Self::Box),
+        ("tent", Self::Tent { radius: 1.0 }),
+        ("gaussian", Self::Gaussian { stddev: 0.5 }),
+        (
+            "mitchell",
+            Self::Mitchell {
+                b: 1.0 / 3.0,
+                c: 1.0 / 3.0,
+            },
+        ),
+        ("catmullrom", Self::CATMULL_ROM),
+        ("lanczos", Self::Lanczos { lobes: 3 }),
+    ];
+
+    fn help(self) -> &'static str {
+        match self {
+            Self::Box => "One pixel wide",
+            Self::Tent { .. } => "Triangle of radius 1",
+            Self::Gaussian { .. } => "Standard deviation 0.5, radius 2",
+            Self::CATMULL_ROM => "Catmull and Rom, radius 2",
+            Self::Mitchell { .. } => "Mitchell and Netravali, B = C = 1/3, radius 2",
+            Self::Lanczos { .. } => "Three lobes, radius 3",
+        }
+    }
 }
 
 /// Loads a scene with changes to what its file says.

@@ -6,6 +6,21 @@ use capwalk_scene::{Image, Scene};
 pub use capwalk_inverse::loss::{Distance, Loss, Measured};
 
 use crate::error::Error;
+use crate::method::Choice;
+
+/// Those without numbers of their own.
+impl Choice for Distance {
+    const NAMES: &'static [(&'static str, Self)] = &[("l1", Self::L1), ("l2", Self::L2)];
+
+    fn help(self) -> &'static str {
+        match self {
+            Self::L1 => "Absolute difference; noise in the image biases its gradient towards zero",
+            Self::L2 => "Squared difference; its gradient is unbiased",
+            Self::Relative { .. } => "Squared difference over the squared target",
+            Self::Log { .. } => "Squared difference of logarithms",
+        }
+    }
+}
 
 /// The loss of an image that was rendered for it.
 #[derive(Clone, Debug)]

@@ -325,6 +325,9 @@ mod tests {
         round_trip::<MethodName>();
         round_trip::<MissingName>();
         round_trip::<Estimator>();
+        round_trip::<capwalk_diff::Device>();
+        round_trip::<capwalk_scene::Filter>();
+        round_trip::<crate::Distance>();
     }
 
     #[test]

@@ -8,8 +8,8 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use capwalk::optimize::parse_duration;
-use capwalk::{Device, Estimator, MissingName, SensorChoice, Setting};
-use clap::{ArgAction, Args, Parser, Subcommand, ValueEnum};
+use capwalk::{Device, Distance, Estimator, Filter, MissingName, SensorChoice, Setting};
+use clap::{ArgAction, Args, Parser, Subcommand};
 
 pub use typed_method::TypedMethod;
 
@@ -139,25 +139,8 @@ pub struct SceneArgs {
     #[arg(long, value_name = "WxH", value_parser = parse::size, allow_hyphen_values = true)]
     pub size: Option<[u32; 2]>,
     /// Reconstruction filter, with the widths that are Mitsuba's defaults
-    #[arg(long)]
-    pub filter: Option<FilterName>,
-}
-
-/// Reconstruction filters by name.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-pub enum FilterName {
-    /// One pixel wide
-    Box,
-    /// Triangle of radius 1
-    Tent,
-    /// Standard deviation 0.5, radius 2
-    Gaussian,
-    /// Mitchell and Netravali, B = C = 1/3, radius 2
-    Mitchell,
-    /// Catmull and Rom, radius 2
-    Catmullrom,
-    /// Three lobes, radius 3
-    Lanczos,
+    #[arg(long, value_parser = parse::choice::<Filter>())]
+    pub filter: Option<Filter>,
 }
 
 /// How much to sample.
@@ -303,17 +286,8 @@ pub struct ObjectiveArgs {
     /// Distance of the image to the --target, a mean over pixels and
     /// channels. The image is rendered first, with the seed's complement; a
     /// quarter of a --time-limit is for it
-    #[arg(long, requires = "target")]
-    pub loss: Option<LossName>,
-}
-
-/// Losses by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum LossName {
-    /// Absolute difference; noise in the image biases its gradient towards zero
-    L1,
-    /// Squared difference; its gradient is unbiased
-    L2,
+    #[arg(long, requires = "target", value_parser = parse::choice::<Distance>())]
+    pub loss: Option<Distance>,
 }
 
 #[derive(Args, Debug)]

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use anyhow::{Result, anyhow};
-use capwalk::{Error, FilesRead, Filter, Loader, Prepared, RenderOptions, Scene, Setting};
+use capwalk::{Error, FilesRead, Loader, Prepared, RenderOptions, Scene, Setting};
 use serde_json::{Value, json};
 
-use crate::args::{FilterName, SamplingArgs, SceneArgs};
+use crate::args::{SamplingArgs, SceneArgs};
 
 /// The scene, from a file or built in, ready to be rendered, and the files that it was read from.
 pub fn load(args: &SceneArgs) -> Result<(Prepared, FilesRead)> {
@@ -24,17 +24,7 @@ pub fn load(args: &SceneArgs) -> Result<(Prepared, FilesRead)> {
         loader = loader.size(size);
     }
     if let Some(filter) = args.filter {
-        loader = loader.filter(match filter {
-            FilterName::Box => Filter::Box,
-            FilterName::Tent => Filter::Tent { radius: 1.0 },
-            FilterName::Gaussian => Filter::Gaussian { stddev: 0.5 },
-            FilterName::Mitchell => Filter::Mitchell {
-                b: 1.0 / 3.0,
-                c: 1.0 / 3.0,
-            },
-            FilterName::Catmullrom => Filter::CATMULL_ROM,
-            FilterName::Lanczos => Filter::Lanczos { lobes: 3 },
-        });
+        loader = loader.filter(filter);
     }
     let loaded = loader.load().map_err(|error| match error {
         Error::NothingToDefine { scene } => anyhow!(

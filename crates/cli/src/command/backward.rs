@@ -9,17 +9,16 @@ use capwalk::params::shape_text;
 use capwalk::scene_io::arrays::{self, Array, Arrays, LONGEST_NAME, METADATA};
 use capwalk::text::{cut, listed};
 use capwalk::{
-    Distance, Error, FilesRead, GradientOptions, Gradients, Image, ImageLoss, Loss,
+    Choice, Distance, Error, FilesRead, GradientOptions, Gradients, Image, ImageLoss, Loss,
     ParameterGradient, Prepared, Refusal, RenderOptions, Scene, read_layer,
 };
 use serde_json::{Value, json};
 
-use crate::args::{Backward, LossName};
+use crate::args::Backward;
 use crate::diagnostics::Outcome;
 use crate::memory::{self, Need};
 use crate::progress::{self, Progress};
 use crate::{console, method, output, report, source};
-use clap::ValueEnum;
 
 /// One of so many parts of a time limit is for the image that a loss is of: samples of
 /// its gradient take several times as long.
@@ -52,7 +51,7 @@ pub fn run(args: &Backward) -> Result<Outcome> {
 
     let loss = match args.objective.loss {
         None => None,
-        Some(name) => match measured(&prepared, name, &given, &sampling, args)? {
+        Some(distance) => match measured(&prepared, distance, &given, &sampling, args)? {
             None => return report::nothing("every pixel of the image had a sample"),
             loss => loss,
         },
@@ -231,7 +230,7 @@ fn given_image(args: &Backward, scene: &Scene) -> Result<Image> {
 
 /// A loss that was asked for by name.
 struct MeasuredLoss {
-    name: LossName,
+    distance: Distance,
     image: ImageLoss,
     /// How long its image took.
     elapsed: Duration,
@@ -240,15 +239,11 @@ struct MeasuredLoss {
 /// The loss; `None` if it was stopped before every pixel had a sample.
 fn measured(
     prepared: &Prepared,
-    name: LossName,
+    distance: Distance,
     target: &Image,
     sampling: &RenderOptions,
     args: &Backward,
 ) -> Result<Option<MeasuredLoss>> {
-    let distance = match name {
-        LossName::L1 => Distance::L1,
-        LossName::L2 => Distance::L2,
-    };
     let loss = Loss {
         distance,
         levels: 1,
@@ -260,7 +255,7 @@ fn measured(
     let elapsed = progress.finish();
     match image {
         Ok(image) => Ok(Some(MeasuredLoss {
-            name,
+            distance,
             image,
             elapsed,
         })),
@@ -278,7 +273,7 @@ impl MeasuredLoss {
 
     /// What there is to say about it, in lines.
     fn describe(&self) -> String {
-        let mut text = format!("loss ({}): {:.6e}", self.name(), self.value());
+        let mut text = format!("loss ({}): {:.6e}", self.distance.name(), self.value());
         if let Some(noise) = self.image.measured.noise {
             let noise = report::significant(noise, 2);
             text += &format!(", of which about {noise} is noise of the image");
@@ -292,18 +287,12 @@ impl MeasuredLoss {
     fn to_json(&self) -> Value {
         let seconds = self.elapsed.as_secs_f64();
         json!({
-            "name": self.name(),
+            "name": self.distance.name(),
             "value": self.value(),
             "noise": self.image.measured.noise,
             "seed": self.image.seed,
             "statistics": report::statistics_json(&self.image.statistics, seconds),
         })
-    }
-
-    /// Its name as typed.
-    fn name(&self) -> String {
-        let value = self.name.to_possible_value();
-        value.map_or_else(String::new, |value| value.get_name().to_owned())
     }
 }
 
@@ -365,7 +354,7 @@ fn contents(
         note("adjoint", path(file));
     }
     if let (Some(loss), Some(target)) = (loss, &args.target) {
-        note("loss", loss.name());
+        note("loss", loss.distance.name().into());
         note("target", path(target));
         note("loss_value", loss.value().to_string());
         note("picture_seed", loss.image.seed.to_string());
