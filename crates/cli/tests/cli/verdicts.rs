@@ -53,7 +53,7 @@ fn few_samples_cannot_tell() {
 #[test]
 fn a_wrong_reference_is_found() {
     let capwalk = Capwalk::new("check_wrong");
-    let large = "--spp 256 --reference-spp 256 --step 0.7";
+    let large = "--spp 64 --reference-spp 64 --step 0.7";
     let finished = capwalk.run(&format!("check leaf -p leaf.translate.x {SIZE} {large}"));
     assert_eq!(finished.status, 1, "{}", finished.stdout);
     assert_has(
@@ -68,7 +68,7 @@ fn a_wrong_reference_is_found() {
     let json: serde_json::Value = serde_json::from_str(&finished.stdout).expect("JSON");
     assert_eq!(
         (&json["references"], &json["reference_spp"]),
-        (&3.into(), &1024.into())
+        (&3.into(), &256.into())
     );
     let samples = |value: &serde_json::Value| value.as_f64().expect("a number");
     let of_second = samples(&json["reference"]["samples"]);

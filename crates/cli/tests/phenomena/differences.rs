@@ -29,6 +29,7 @@ pub fn agree(folder: &Folder, parameter: &str, asked: &Differences, reference: &
             max_radius: WIDE.parse::<f64>().expect("degrees").to_radians(),
             ..WalkSettings::default()
         },
+        spp: asked.derivative_spp.unwrap_or(scene.settings.spp),
         ..GradientOptions::of(&scene)
     };
     let [width, height] = scene.film.crop_size;

@@ -35,6 +35,8 @@ pub struct Differences {
     pub step: f64,
     /// Samples per pixel, on either side.
     pub spp: u32,
+    /// Those of the derivative that is compared; `None`: the scene's.
+    pub derivative_spp: Option<u32>,
     /// How many pixels must have noise; `None`: half of them.
     pub pixels: Option<usize>,
     /// What `--method edges` is like.
@@ -128,6 +130,7 @@ impl Check {
             "parameter",
             "step",
             "reference_spp",
+            "spp",
             "pixels",
             "edges_walked",
             "edges_noisy",
@@ -153,6 +156,10 @@ impl Check {
             None => Demand::Agree(Differences {
                 step: object.get("step")?.as_f64()?,
                 spp: object.get("reference_spp")?.as_u64()?.try_into().ok()?,
+                derivative_spp: match object.get("spp") {
+                    Some(count) => Some(count.as_u64()?.try_into().ok()?),
+                    None => None,
+                },
                 pixels: match object.get("pixels") {
                     Some(count) => Some(count.as_u64()? as usize),
                     None => None,

@@ -301,6 +301,7 @@ fn crossing_of_a_mask_at_a_low_angle() {
         Affine::translate(Vec3::zero()),
         "leaf.translate.z",
         5e-4,
+        1030,
     );
 }
 
@@ -309,11 +310,11 @@ fn crossing_of_a_mask_at_a_low_angle() {
 fn border_of_a_mask_on_a_floor() {
     let along = Affine::rotate(v(0.0, 0.0, 1.0), 0.3_f64.atan());
     let from_axis = Affine::translate(v(0.0, 0.5, 0.0));
-    mask_on_floor("border", along * from_axis, "leaf.translate.y", 5e-3);
+    mask_on_floor("border", along * from_axis, "leaf.translate.y", 5e-3, 340);
 }
 
 /// A mask, placed before it is turned out of a floor, seen from above.
-fn mask_on_floor(name: &str, place: Affine, parameter: &str, step: f64) {
+fn mask_on_floor(name: &str, place: Affine, parameter: &str, step: f64, spp: u32) {
     let mut scene = empty(v(0.3, -3.0, 2.0), Vec3::zero(), 22.0, 12);
     scene.film.filter = Filter::Tent { radius: 1.0 };
     let radiance = scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
@@ -335,7 +336,7 @@ fn mask_on_floor(name: &str, place: Affine, parameter: &str, step: f64) {
     };
     let case = Case {
         size: 12,
-        gradient_spp: 1200,
+        gradient_spp: spp,
         reference_spp: 8000,
         step,
         min_pixels: 100,
@@ -356,7 +357,7 @@ fn mirror() {
     crate::common::materials::make(&mut scene, "floor", |n| n.copper());
     let case = Case {
         step: 2e-3,
-        gradient_spp: 440,
+        gradient_spp: 310,
         reference_spp: 2100,
         min_pixels: 300,
         ..primary()

@@ -57,17 +57,24 @@ fn block(place: Vec3) -> Mesh {
     cube(Affine::translate(place) * turned * Affine::scale(v(0.4, 0.35, 0.1))).0
 }
 
-fn agrees(name: &str, scene: Scene, expression: &str, spp: u32) {
+/// With these samples of the derivative and of the differences.
+fn agrees(name: &str, scene: Scene, expression: &str, spp: [u32; 2]) {
     agrees_over(4e-2, name, scene, expression, spp);
 }
 
 /// The same with differences over another step.
-fn agrees_over(step: f64, name: &str, scene: Scene, expression: &str, spp: u32) {
+fn agrees_over(
+    step: f64,
+    name: &str,
+    scene: Scene,
+    expression: &str,
+    [spp, reference_spp]: [u32; 2],
+) {
     let tangent = tangent(&scene, expression);
     let case = Case {
         step,
         size: 14,
-        reference_spp: 4 * spp,
+        reference_spp,
         min_pixels: 150,
         patience: 8.0,
         ..Case::default()
@@ -82,7 +89,7 @@ fn block_and_lamp_in_a_mirror() {
     make(&mut scene, "ceiling", |n| n.mirror());
     let expression =
         "block.translate.x + 0.5*lamp.translate.y - 0.4*ceiling.rotate.y + 0.3*floor.rotate.x";
-    agrees("in a mirror", scene, expression, 1500);
+    agrees("in a mirror", scene, expression, [480, 6000]);
 }
 
 /// Of two mirrors in one plane, that one turns that does not stand for the plane.
@@ -104,7 +111,13 @@ fn one_of_two_mirrors_in_a_plane() {
     for id in ["ceiling", "second"] {
         make(&mut scene, id, |n| n.mirror());
     }
-    agrees_over(1e-2, "one of two mirrors", scene, "second.rotate.y", 1500);
+    agrees_over(
+        1e-2,
+        "one of two mirrors",
+        scene,
+        "second.rotate.y",
+        [300, 6000],
+    );
 }
 
 /// Two lamps lie where a pane shows each the other, so that their edges are seen in the same
@@ -138,7 +151,7 @@ fn lamps_on_either_side_of_a_pane() {
         add(&mut scene, id, rectangle(lamp).0, ShadingNormals::Face, 0.0);
         light_up(&mut scene, radiance);
     }
-    agrees("lamps beside a pane", scene, "floor.rotate.y", 1000);
+    agrees("lamps beside a pane", scene, "floor.rotate.y", [1000, 4000]);
 }
 
 /// The same by way of two mirrors, one after the other.
@@ -157,7 +170,7 @@ fn block_in_two_mirrors() {
     );
     make(&mut scene, "wall", |n| n.mirror());
     let expression = "block.translate.x + 0.5*wall.rotate.y";
-    agrees("in two mirrors", scene, expression, 3000);
+    agrees("in two mirrors", scene, expression, [2000, 12000]);
 }
 
 /// The ceiling is white, and the floor sees it and the block before it through a pane.
@@ -180,5 +193,5 @@ fn block_behind_a_pane() {
     );
     make(&mut scene, "pane", |n| n.pane());
     let expression = "block.translate.x + 0.5*block.rotate.z + 0.3*pane.translate.x";
-    agrees("behind a pane", scene, expression, 800);
+    agrees("behind a pane", scene, expression, [160, 3200]);
 }

@@ -68,6 +68,7 @@ fn box_in_a_room() {
     let tangent = tangent(&scene, parameter);
     let case = Case {
         patience: 5.0,
+        gradient_spp: 60,
         ..visible_case(180)
     };
     agree("box room, indirect", scene, &tangent, case);
@@ -134,6 +135,7 @@ fn moving_camera() {
     let tangent = tangent(&scene, "sensor.translate.x + 0.3*sensor.rotate.z");
     let case = Case {
         patience: 4.0,
+        gradient_spp: 80,
         ..visible_case(380)
     };
     agree("moving camera, indirect", scene, &tangent, case);

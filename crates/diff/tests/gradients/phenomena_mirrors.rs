@@ -121,9 +121,10 @@ fn camera_before_a_mirror() {
     let expression = "sensor.translate.x + 0.3*sensor.rotate.z";
     let case = Case {
         patience: 4.5,
+        gradient_spp: 220,
         ..case(400)
     };
-    moves("mirror", scene, expression, case);
+    moves_by("mirror", scene, expression, case, 2);
 }
 
 /// Two panels lie in one plane, and the second of them moves: the plane has no one motion.
@@ -183,6 +184,7 @@ fn block_behind_a_pane() {
     let expression = "behind.translate.x + 0.2*mirror.rotate.z";
     let case = Case {
         patience: 6.8,
+        gradient_spp: 135,
         ..case(300)
     };
     moves("pane", scene, expression, case);
@@ -194,7 +196,11 @@ fn block_over_a_polished_floor() {
     let mut scene = block_before_a_mirror();
     scene.shapes.pop();
     make(&mut scene, "floor", |n| n.coat(false));
-    moves("polished", scene, "block.translate.x", case(600));
+    let case = Case {
+        gradient_spp: 370,
+        ..case(600)
+    };
+    moves("polished", scene, "block.translate.x", case);
 }
 
 /// A floor is lit directly and by way of a mirror; a triangle out of view moves
@@ -209,7 +215,7 @@ fn shadow_by_way_of_a_mirror() {
     scene.film.filter = Filter::Box;
     let case = Case {
         step: 2e-2,
-        gradient_spp: 640,
+        gradient_spp: 270,
         reference_spp: 640,
         patience: 4.7,
         ..Case::default()

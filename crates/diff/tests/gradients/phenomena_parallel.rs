@@ -120,7 +120,7 @@ fn sensor_of_any_matrix() {
     let case = Case {
         size: 24,
         step: 2e-3,
-        gradient_spp: 500,
+        gradient_spp: 225,
         reference_spp: 1500,
         min_pixels: 100,
         ..primary()

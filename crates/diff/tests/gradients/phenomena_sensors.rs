@@ -64,7 +64,7 @@ fn opening_lens() {
     let tangent = tangent(&scene, "sensor.aperture_radius");
     let case = Case {
         step: 4e-3,
-        gradient_spp: 160,
+        gradient_spp: 106,
         reference_spp: 520,
         patience: 5.0,
         ..primary()

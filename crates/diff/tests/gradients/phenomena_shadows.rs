@@ -74,7 +74,7 @@ fn lattice_shadow() {
     // Its tubes are thin: a step of their size would blur their shadows.
     let case = Case {
         step: 1e-2,
-        gradient_spp: 600,
+        gradient_spp: 470,
         reference_spp: 1536,
         ..Case::default()
     };

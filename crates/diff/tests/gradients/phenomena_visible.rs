@@ -60,7 +60,7 @@ fn coarse_smooth_ball_inside_out() {
     add(&mut scene, "ball", ball, normals, 0.6);
     let tangent = tangent(&scene, "ball.rotate.y");
     let case = Case {
-        gradient_spp: 400,
+        gradient_spp: 180,
         reference_spp: 1000,
         ..primary()
     };

@@ -3,15 +3,16 @@
 
 use std::sync::Arc;
 
-use crate::common::stages::{under_a_sky, visible_ball, visible_cube, with_parallel_rays};
+use crate::common::stages::{placed, under_a_sky, visible_ball, visible_cube, with_parallel_rays};
 use crate::common::{add, add_lamp, v};
 use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
     render,
 };
 use capwalk_geometry::Mesh;
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::params::Registry;
+use capwalk_scene::primitive::icosphere;
 use capwalk_scene::{
     Attribute, Emitter, Filter, Image, Pattern, Scene, ShadingNormals, ShapeId, ShapeVectors,
     Texture,
@@ -179,10 +180,15 @@ fn brightness_of_emitters() {
     agree(scene, "thing.translate.y", &steps);
 }
 
-/// A fine mesh that is squeezed until its trees are worn out.
+/// A mesh that is squeezed until its trees are worn out.
 #[test]
 fn large_motions() {
-    let ball = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    let mut ball = visible_ball(Filter::Gaussian { stddev: 0.5 });
+    let shape = ball.shapes_mut().find(|shape| shape.id == "ball");
+    let shape = shape.expect("it is there");
+    let place = Affine::translate(v(0.0, 0.0, 0.55)) * Affine::scale(Vec3::splat(0.5));
+    shape.mesh = placed(icosphere(4), place);
+    shape.normals = ShadingNormals::computed(&shape.mesh);
     let steps = [
         ("ball.rotate.z + 0.1*ball.translate.y", 3.0),
         ("ball.scale", -0.9),
