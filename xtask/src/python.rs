@@ -88,7 +88,14 @@ pub fn test(tier: Tier) -> Result<()> {
     };
     let sources = ["-m", "mypy", "--strict", "python/capwalk", "python/tests"];
     start("python: types", run(&sources))?;
-    let mut tests = run(&["-m", "pytest", "-q", "-rs", "python/tests"]);
+    let mut tests = run(&[
+        "-m",
+        "pytest",
+        "-q",
+        "-rs",
+        "--durations=10",
+        "python/tests",
+    ]);
     tests.envs(vulkan::for_tests());
     if tier == Tier::Thorough {
         tests.env("CAPWALK_THOROUGH", "1");

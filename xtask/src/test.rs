@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use anyhow::Result;
 
-use crate::shell::{EVERYTHING, cargo, start};
+use crate::shell::{EVERYTHING, build_once, cargo, start};
 use crate::tier::Tier;
 use crate::{layout, package, python, soak, vulkan};
 
@@ -15,6 +15,7 @@ use crate::{layout, package, python, soak, vulkan};
 pub fn run(arguments: &[String]) -> Result<()> {
     let tier = Tier::of(arguments)?;
     if tier >= Tier::Change {
+        build_once();
         python::fetch();
     }
     let mut times = Vec::new();
@@ -80,12 +81,18 @@ fn documentation() -> Result<()> {
     start("documentation", doc)
 }
 
-/// All tests; of the quick tier unit tests, without a GPU, and a few phenomena.
+/// All tests, without what examples and benchmarks are built for; of the quick tier unit tests, without
+/// a GPU, and a few phenomena.
 fn tests(tier: Tier) -> Result<()> {
     if tier >= Tier::Change {
-        let mut all = cargo(&["test", "--no-fail-fast"]);
-        all.args(EVERYTHING).envs(vulkan::for_tests());
-        return start("tests", all);
+        let test = |what: &[&str]| {
+            let mut test = cargo(&["test", "--no-fail-fast"]);
+            test.args(what).args(EVERYTHING);
+            test.envs(vulkan::for_tests());
+            test
+        };
+        start("tests", test(&["--lib", "--bins", "--tests"]))?;
+        return start("examples in documentation", test(&["--doc"]));
     }
     let mut units = cargo(&["test", "--lib", "--bins"]);
     units.args(EVERYTHING).envs(vulkan::none());
