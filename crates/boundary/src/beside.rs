@@ -11,7 +11,7 @@ use crate::accel::Accel;
 /// the rounding of directions, and far less than the distance between edges that differ
 /// by the single precision of mesh files. The integrand is evaluated this far from its
 /// discontinuity, which changes the boundary term by a fraction of this size.
-pub(crate) const BESIDE: f64 = 1e-10;
+pub const BESIDE: f64 = 1e-10;
 
 /// From what rays beside an edge hit, the least distance to the other surface there, in units of
 /// [`Accel::horizon_distance`], where paths go on: rays from surfaces, and behind those that let them

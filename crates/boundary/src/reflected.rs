@@ -72,7 +72,7 @@ impl SpecularRay {
 /// miss it and still arrive. Neighbouring faces of one mirror differ by up to
 /// [`COPLANAR`], which turns the reflected ray by twice as much; as much again is for
 /// rounding.
-const SAME_MIRROR: f64 = 4.0 * COPLANAR;
+pub const SAME_MIRROR: f64 = 4.0 * COPLANAR;
 
 impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
     /// The ray before any event.

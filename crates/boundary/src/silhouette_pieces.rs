@@ -101,7 +101,7 @@ pub struct EdgePoint {
 const CLEARLY: f64 = 1e-4;
 
 /// Largest sine of the angle between coincident edges.
-const PARALLEL: f64 = 1e-6;
+pub const PARALLEL: f64 = 1e-6;
 
 /// The part of a segment, seen from the origin, on the inner sides of planes
 /// through the origin with these unit normals, moved outward by a distance.

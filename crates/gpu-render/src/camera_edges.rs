@@ -15,7 +15,8 @@ use rayon::prelude::*;
 
 use crate::device_error::DeviceError;
 use crate::device_scene::DeviceScene;
-use crate::layout::hit::HIT_WORDS;
+use crate::layout::hit::*;
+use crate::layout::record;
 use crate::lobe_records::only_diffuse;
 use crate::paths::Followed;
 use crate::render_kernels::{DIFFUSE_IMAGE_FROM_HITS, IMAGE_FROM_HITS, PathKernels};
@@ -112,14 +113,24 @@ impl<'a> CameraEdges<'a> {
         });
         let (face, weights) = hit.map_or((NONE, [0.0; 2]), |hit| (hit.face, hit.barycentric));
         let [[v, v_rest], [w, w_rest]] = weights.map(two_floats);
-        let direction = ray.direction.to_array().map(two_floats);
-        let [[x, x_rest], [y, y_rest], [z, z_rest]] = direction;
+        let [x, y, z] = ray.direction.to_array().map(two_floats);
         // The random numbers of the sample, on both sides: their noise cancels.
         let key = place.stream.independent_key().unwrap_or_default();
         let [low, high] = [key as u32, (key >> 32) as u32];
-        let rest = [x_rest, y_rest, z_rest];
-        [
-            face, v, v_rest, w, w_rest, x, y, z, rest[0], rest[1], rest[2], low, high,
-        ]
+        record(&[
+            (HIT_FACE, face),
+            (HIT_WEIGHTS, v),
+            (HIT_WEIGHTS + 1, v_rest),
+            (HIT_WEIGHTS + 2, w),
+            (HIT_WEIGHTS + 3, w_rest),
+            (HIT_DIRECTION, x[0]),
+            (HIT_DIRECTION + 1, y[0]),
+            (HIT_DIRECTION + 2, z[0]),
+            (HIT_DIRECTION_REST, x[1]),
+            (HIT_DIRECTION_REST + 1, y[1]),
+            (HIT_DIRECTION_REST + 2, z[1]),
+            (HIT_KEY, low),
+            (HIT_KEY + 1, high),
+        ])
     }
 }

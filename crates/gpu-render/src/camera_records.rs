@@ -14,6 +14,7 @@ use crate::layout::camera::*;
 use crate::layout::camera_numbers::SIDE_TABLES;
 use crate::layout::filter::*;
 use crate::layout::record;
+use crate::layout::sample::*;
 use crate::texture_records::float;
 
 /// Nothing is seen farther than this, local units: single precision can represent it.
@@ -88,11 +89,13 @@ pub fn sample_words(samples: &SampleRange) -> [u32; SAMPLE_WORDS] {
     let seed = samples.sampler().independent_seed();
     let seed = seed.expect("other samplers are not supported");
     let [pixel, sample] = samples.pixel_and_sample(0);
-    [seed as u32, (seed >> 32) as u32, pixel, sample]
+    record(&[
+        (SEED, seed as u32),
+        (SEED + 1, (seed >> 32) as u32),
+        (FIRST_PIXEL, pixel),
+        (FIRST_NUMBER, sample),
+    ])
 }
-
-/// How many words that takes.
-pub const SAMPLE_WORDS: usize = 4;
 
 /// The depth of the place where rays are written down: that of the tree's middle, if it is before
 /// the camera. There they have all digits that single precision has.

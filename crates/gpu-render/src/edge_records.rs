@@ -2,11 +2,14 @@
 
 use std::f64::consts::PI;
 
-use capwalk_boundary::{AreaEmitter, Boundaries, EdgeSampler, Extent, MANY_CORNERS, Motion};
+use capwalk_boundary::{
+    AreaEmitter, BESIDE, Boundaries, EdgeSampler, Extent, MANY_CORNERS, Motion,
+};
 use capwalk_geometry::edge::ON_PLANE;
 use capwalk_geometry::sampler_buffers::{BOUNDS, EDGE, FACTORS, NONE, SamplerBuffers};
 use capwalk_geometry::{EdgeSelection, LocalFrame};
 use capwalk_math::{Real, Vec3};
+use capwalk_render::constants::IN_PLANE;
 use capwalk_render::{Plan, SceneEval, Tracer};
 
 use crate::kept_edges::{KeptEdges, LEAF};
@@ -16,11 +19,6 @@ use crate::layout::edges::*;
 use crate::layout::record;
 use crate::layout::tree::*;
 use crate::texture_records::float;
-
-/// How far outside of a window an edge counts as inside, over its distance, and the angle between an
-/// edge and the rays beside it, as on the CPU.
-const IN_PLANE: f64 = 1e-9;
-const BESIDE: f64 = 1e-10;
 
 /// The part of its radius by which a ball around an emitter is larger: more than rounding.
 const WIDER: f64 = 1e-6;

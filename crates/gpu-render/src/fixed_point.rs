@@ -9,6 +9,7 @@ use capwalk_scene::{Emitter, Gradient, Pattern, Scene};
 use crate::layout::change::{BOUNDARIES_MOVE, IS_BLIND, MOTION_AT, TEXTURE_CHANGES, UNITS, WALKS};
 use crate::layout::fault::{NOT_FINITE, SUMS, TOO_LARGE};
 use crate::layout::sum::SUM_WORDS;
+use crate::layout::sum_limit::LARGEST_DERIVATIVE;
 use crate::texture_records::Shown;
 
 /// Derivatives that are as large as expected have so many binary digits. Those with six more still
@@ -17,9 +18,6 @@ const DIGITS: i32 = 80;
 
 /// These digits if something moves: one over the distance of an edge may be large.
 const DIGITS_IN_MOTION: i32 = 50;
-
-/// What fits, in units, see `sums.slang`.
-const LARGEST_DERIVATIVE: f64 = (1_u128 << 86) as f64;
 
 /// The sensor's position, the images of its axes, and its other numbers.
 const SENSOR_VECTORS: usize = 5;

@@ -1,36 +1,15 @@
 //! What the CPU writes and the kernels read: kinds, which word of a record is what, and limits of both. Declared
 //! once, here; the kernels include it as `layout.slang`, which `cargo xtask kernels` writes.
 
-use capwalk_boundary::{Field, MAX_EVENTS};
+use capwalk_boundary::{Field, Gathers, MANY_CORNERS, MAX_EVENTS, PARALLEL};
+use capwalk_gpu::slang_constants;
 use capwalk_math::frame::POINTS_DOWN;
+use capwalk_render::constants::*;
+use capwalk_scene::lobe as lobes;
 
-/// Whole numbers in groups, as constants of a module each, and the same for Slang, where names stand without the
-/// group's.
-macro_rules! layout {
-    ($($(#[doc = $doc:literal])* $group:ident { $($name:ident = $value:expr,)* })*) => {
-        $($(#[doc = $doc])* pub mod $group {
-            #[allow(unused_imports)]
-            use super::*;
-            $(pub const $name: usize = $value;)*
-        })*
+slang_constants! {
+    fn whole_numbers: usize, "static const uint {} = {}u;\n";
 
-        /// The lines of all groups.
-        fn whole_numbers() -> String {
-            let groups = [$((
-                concat!($("//", $doc, "\n",)*),
-                &[$((stringify!($name), $group::$name)),*][..],
-            )),*];
-            let lines = groups.iter().map(|(doc, names)| {
-                let names = names.iter();
-                let names = names.map(|(name, value)| format!("static const uint {name} = {value};\n"));
-                format!("{doc}{}", names.collect::<String>())
-            });
-            lines.collect()
-        }
-    };
-}
-
-layout! {
     /// Words of the header: numbers of the plan, then where the arrays of records start; and where in `primitives` the camera's
     /// numbers start, which follow the triangles, and those of the tests, behind them.
     header {
@@ -77,6 +56,17 @@ layout! {
     /// each column, then of each row, where its table is.
     camera {
         IMAGE_COLUMNS = 0, IMAGE_PIXELS = 1, FILTER = 2, FILTER_NUMBERS = 3, HAS_LENS = 5, SIDES = 6,
+    }
+
+    /// Numbers of a column's or a row's table: where it starts, from its pixels' centre; the width of a bin; that over the
+    /// filter's integral; then of all bins the probabilities of those below, and their own.
+    side_table {
+        BIN_WIDTH = 1, OVER_INTEGRAL = 2, BELOW = 3, BINS = capwalk_render::constants::BINS,
+    }
+
+    /// Words of the samples that paths begin with: the seed, and pixel and number of the first one.
+    sample {
+        SEED = 0, FIRST_PIXEL = 2, FIRST_NUMBER = 3, SAMPLE_WORDS = 4,
     }
 
     /// Kinds of filters.
@@ -128,6 +118,11 @@ layout! {
         DISTRIBUTION = 1, IS_NONLINEAR = 2, COAT = 3, SLOTS = 4, FIRST_SLOT = 5,
     }
 
+    /// Of a rough coat: what passes, for so many cosines from 0 to 1, and the fraction of diffuse light from inside that does not.
+    coat {
+        COSINES = lobes::NODES, INTERNAL_REFLECTANCE = COSINES, COAT_NUMBERS = INTERNAL_REFLECTANCE + 1,
+    }
+
     /// Textures of a lobe (`NONE` for one that is not there): the colours of base and mirror, the refractive indices (of a metal
     /// its real and imaginary part, of a coat that inside and outside), and the roughnesses.
     slot {
@@ -169,7 +164,7 @@ layout! {
     /// single precision, the direction of the ray with what is left of it beside single precision, and the key of the path's
     /// random numbers.
     hit {
-        HIT_WORDS = 13,
+        HIT_FACE = 0, HIT_WEIGHTS = 1, HIT_DIRECTION = 5, HIT_DIRECTION_REST = 8, HIT_KEY = 11, HIT_WORDS = 13,
     }
 
     /// Words of a path: of an image, behind the list; with derivatives also that of its light, and what walks tell.
@@ -225,13 +220,85 @@ layout! {
     /// Subtrees that are sampled at the vertex that the camera sees, and at later ones, which matter less; and the bits of the
     /// depth of a launch, behind which is its part.
     launch {
-        FIRST_SUBTREES = 2, LATER_SUBTREES = 1, DEPTH_BITS = 16,
+        FIRST_SUBTREES = subtree_count(0, false) as usize, LATER_SUBTREES = subtree_count(1, false) as usize, DEPTH_BITS = 16,
+    }
+
+    /// Random numbers of the film point and of the point of the lens, those of a point on an emitter, and of a direction from a
+    /// material, and of edges, which start at a multiple of this for what each is before.
+    random {
+        FILM = capwalk_render::constants::FILM as usize, LENS = capwalk_render::constants::LENS as usize,
+        EMITTER_NUMBERS = capwalk_render::constants::EMITTER_NUMBERS as usize,
+        BSDF_NUMBERS = capwalk_render::constants::BSDF_NUMBERS as usize,
+        PURPOSE_NUMBERS = EDGE_NUMBERS as usize,
+    }
+
+    /// Corners of a window at most; more emitters are chosen alike; and one of so many directions to an environment map is drawn
+    /// uniformly.
+    many {
+        WINDOW_CORNERS = MANY_CORNERS, MANY = MANY_EMITTERS, SKY_PARTS = (1.0 / UNIFORM_SKY) as usize,
     }
 
     /// Most mirrors between a vertex and an edge; and most nodes that wait on the way down a tree of edges: those from the 60th
     /// on have halves of equally many edges (`divide` of `capwalk-boundary`).
     limit {
         MOST_MIRRORS = MAX_EVENTS as usize, LONGEST_WAY = 92,
+    }
+}
+
+slang_constants! {
+    fn numbers: f64, "static const float {} = {:e};\n";
+
+    /// The frame around a normal turns over where its z passes this.
+    frame {
+        DOWNWARDS = POINTS_DOWN,
+    }
+
+    /// The sine of the height over the horizon from which on all of a boundary's motion counts, and the part of their length that
+    /// edges seen end-on seem to have at most.
+    field {
+        LOW = Field::LOW, END_ON = Field::END_ON,
+    }
+
+    /// Largest probability that a path survives roulette, and the smallest one for derivatives: a path that carries no light may
+    /// carry a derivative, such as that of a black material's reflectance.
+    roulette {
+        MOST_SURVIVAL = RR_MAX, LEAST_SURVIVAL_MOVING = RR_MIN,
+    }
+
+    /// Share of the choices that do not depend on how bright emitters are; and the largest solid angle of an emitter of which
+    /// points alone are sampled at diffuse surfaces.
+    emitter_choice {
+        UNIFORM = UNIFORM_EMITTERS, NARROW = capwalk_render::constants::NARROW,
+    }
+
+    /// Where the error function is one to the last digit of double precision, the smallest roughness, and the least weight of base
+    /// and coat: what is black is sampled a little.
+    facets {
+        SHADOWLESS = lobes::SHADOWLESS, MIN_ALPHA = lobes::MIN_ALPHA, LEAST_WEIGHT = lobes::LEAST_WEIGHT,
+    }
+
+    /// Length of the longest piece of an edge that has one sampling weight, at diffuse surfaces and others, radians; the most
+    /// pieces of an edge; and the share of the mean that is added to what a piece contributes at its middle.
+    piece {
+        DIFFUSE_PIECE = capwalk_render::constants::DIFFUSE_PIECE, PIECE = capwalk_render::constants::PIECE,
+        MOST_PIECES = capwalk_render::constants::MOST_PIECES, LEAST_SHARE = capwalk_render::constants::LEAST_WEIGHT,
+    }
+
+    /// Points before an emitter, times the root of the number of pieces, at least: where there are many, they differ more. 1 over
+    /// the golden ratio: its multiples are spread evenly between whole numbers. Lines with a larger cosine are parallel.
+    points {
+        POINTS_BEFORE_EMITTERS = Gathers::POINTS as f64, LEAST_ROOT = ROOTS[0], EVENLY = SPREAD, PARALLEL_COSINE = 1.0 - PARALLEL,
+    }
+
+    /// How far, per mirror and over the distance, a path to a point may miss it and still arrive: neighbouring faces of a mirror
+    /// may differ by as much.
+    mirror {
+        SAME_MIRROR = capwalk_boundary::SAME_MIRROR,
+    }
+
+    /// No derivative is larger, in units of a sum: then 2^24 of them have a sum.
+    sum_limit {
+        LARGEST_DERIVATIVE = (1_u128 << 86) as f64,
     }
 }
 
@@ -265,29 +332,10 @@ pub fn places_of_name(name: &str) -> &'static [usize] {
 
 /// `layout.slang`.
 pub fn slang() -> String {
-    let numbers = [
-        (
-            "The frame around a normal turns over where its z passes this.",
-            "DOWNWARDS",
-            POINTS_DOWN,
-        ),
-        (
-            "The sine of the height over the horizon from which on all of a boundary's motion counts.",
-            "LOW",
-            Field::LOW,
-        ),
-        (
-            "The part of their length that edges seen end-on seem to have at most.",
-            "END_ON",
-            Field::END_ON,
-        ),
-    ];
-    let numbers = numbers
-        .map(|(doc, name, value)| format!("// {doc}\nstatic const float {name} = {value:e};\n"));
     format!(
-        "// `layout.rs` as Slang.\n{}{}",
+        "// `layout.rs` of `capwalk-gpu-render` as Slang.\n{}{}",
         whole_numbers(),
-        numbers.concat()
+        numbers()
     )
 }
 

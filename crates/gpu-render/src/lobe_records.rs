@@ -6,6 +6,7 @@ use capwalk_scene::fields::{FieldChoice, FieldList};
 use capwalk_scene::lobe::{Distribution, Lobe, RoughTransmittance};
 use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, TextureId};
 
+use crate::layout::coat::COAT_NUMBERS;
 use crate::layout::distribution::*;
 use crate::layout::lobe::*;
 use crate::layout::{kind_of_plugin, places_of_name, record};
@@ -63,6 +64,7 @@ fn add_coat(coat: &RoughTransmittance, words: &mut Vec<u32>) -> u32 {
     words.extend(coat.nodes().map(float));
     let internal = coat.internal_reflectance(coat.alpha(), coat.eta());
     words.push(float(internal));
+    debug_assert_eq!(words.len(), at as usize + COAT_NUMBERS);
     at
 }
 

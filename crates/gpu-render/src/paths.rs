@@ -3,9 +3,9 @@
 use capwalk_gpu::{CompiledKernel, DeviceArray, Gpu, GpuError};
 use capwalk_render::Watch;
 
-use crate::camera_records::SAMPLE_WORDS;
 use crate::device_edges::{COLUMNS, DeviceEdges};
 use crate::layout::fault::{SUMS, THREADS_CUT_SHORT};
+use crate::layout::sample::SAMPLE_WORDS;
 use crate::render_kernels::{GO_BACK, PathKernels, WALK, WALK_BACK};
 
 /// Room for so many paths in a scene.

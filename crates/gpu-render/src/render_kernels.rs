@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use capwalk_gpu::{CompiledKernel, KernelPack};
+use capwalk_gpu::{CompiledKernel, GROUP, KernelPack, compiled_kernels};
 
 use crate::layout::hit::HIT_WORDS;
 use crate::layout::path::{FORWARD_PATH, SIDE_WEIGHT};
@@ -15,9 +15,28 @@ pub fn pack() -> &'static KernelPack {
     &PACK
 }
 
-const fn compiled(name: &'static str) -> CompiledKernel {
-    let group = 64;
-    CompiledKernel { name, group, pack }
+compiled_kernels! {
+    pack:
+    BEGIN_PATHS = "begin_paths" of GROUP,
+    GO_ON = "go_on" of GROUP,
+    GO_ON_DIFFUSE = "go_on_diffuse" of GROUP,
+    BEGIN_AT_HITS = "begin_at_hits" of GROUP,
+    BEGIN_FORWARD = "begin_forward" of GROUP,
+    GO_ON_FORWARD = "go_on_forward" of GROUP,
+    BEGIN_REVERSE = "begin_reverse" of GROUP,
+    GO_ON_REVERSE = "go_on_reverse" of GROUP,
+    /// Takes what arrives behind the vertices of a list back by one.
+    GO_BACK = "go_back" of GROUP,
+    CROSS_EDGES = "cross_edges" of GROUP,
+    BEGIN_SIDES = "begin_sides" of GROUP,
+    ADD_SIDES = "add_sides" of GROUP,
+    CROSS_EDGES_BACK = "cross_edges_back" of GROUP,
+    BEGIN_SIDES_BACK = "begin_sides_back" of GROUP,
+    ADD_SIDES_BACK = "add_sides_back" of GROUP,
+    /// Walks at the vertices that paths are at, before they go further, in forward mode.
+    WALK = "walk" of GROUP,
+    /// Takes back what directions that have walked change, behind the vertices of a list, in reverse mode.
+    WALK_BACK = "walk_back" of GROUP,
 }
 
 /// The kernels that follow paths for a purpose.
@@ -49,8 +68,8 @@ impl PathKernels {
 
 /// Images: behind the list is the light of a path.
 pub const IMAGE: PathKernels = PathKernels {
-    begin: compiled("begin_paths"),
-    go_on: compiled("go_on"),
+    begin: BEGIN_PATHS,
+    go_on: GO_ON,
     input: 1,
     path: SIDE_WEIGHT,
     vertex: 0,
@@ -58,13 +77,13 @@ pub const IMAGE: PathKernels = PathKernels {
 
 /// Images of scenes where all surfaces are diffuse and light comes from no map.
 pub const DIFFUSE_IMAGE: PathKernels = PathKernels {
-    go_on: compiled("go_on_diffuse"),
+    go_on: GO_ON_DIFFUSE,
     ..IMAGE
 };
 
 /// Images of paths that begin at what a camera's ray hits.
 pub const IMAGE_FROM_HITS: PathKernels = PathKernels {
-    begin: compiled("begin_at_hits"),
+    begin: BEGIN_AT_HITS,
     input: HIT_WORDS,
     ..IMAGE
 };
@@ -77,8 +96,8 @@ pub const DIFFUSE_IMAGE_FROM_HITS: PathKernels = PathKernels {
 
 /// Images with their derivative: behind the list is the light of a path, then its derivative.
 pub const FORWARD: PathKernels = PathKernels {
-    begin: compiled("begin_forward"),
-    go_on: compiled("go_on_forward"),
+    begin: BEGIN_FORWARD,
+    go_on: GO_ON_FORWARD,
     input: 1,
     path: FORWARD_PATH,
     vertex: 0,
@@ -86,15 +105,12 @@ pub const FORWARD: PathKernels = PathKernels {
 
 /// Derivatives of a loss. Behind a path is what is kept of its vertices.
 pub const REVERSE: PathKernels = PathKernels {
-    begin: compiled("begin_reverse"),
-    go_on: compiled("go_on_reverse"),
+    begin: BEGIN_REVERSE,
+    go_on: GO_ON_REVERSE,
     input: 1,
     path: KEPT,
     vertex: KEPT_WORDS,
 };
-
-/// Takes what arrives behind the vertices of a list back by one.
-pub const GO_BACK: CompiledKernel = compiled("go_back");
 
 /// The kernels that take boundary terms at the vertices of paths.
 #[derive(Debug)]
@@ -109,29 +125,23 @@ pub struct BoundaryKernels {
 
 /// In forward mode, at the vertices that paths are at.
 pub const BOUNDARY: BoundaryKernels = BoundaryKernels {
-    cross_edges: compiled("cross_edges"),
-    begin_sides: compiled("begin_sides"),
-    add_sides: compiled("add_sides"),
+    cross_edges: CROSS_EDGES,
+    begin_sides: BEGIN_SIDES,
+    add_sides: ADD_SIDES,
 };
 
 /// In reverse mode, at vertices that are kept.
 pub const BOUNDARY_BACK: BoundaryKernels = BoundaryKernels {
-    cross_edges: compiled("cross_edges_back"),
-    begin_sides: compiled("begin_sides_back"),
-    add_sides: compiled("add_sides_back"),
+    cross_edges: CROSS_EDGES_BACK,
+    begin_sides: BEGIN_SIDES_BACK,
+    add_sides: ADD_SIDES_BACK,
 };
-
-/// Walks at the vertices that paths are at, before they go further, in forward mode.
-pub const WALK: CompiledKernel = compiled("walk");
-
-/// Takes back what directions that have walked change, behind the vertices of a list, in reverse mode.
-pub const WALK_BACK: CompiledKernel = compiled("walk_back");
 
 #[cfg(test)]
 mod tests {
     use std::path::Path;
 
-    use capwalk_gpu::trees_slang;
+    use capwalk_gpu::arrays_slang;
 
     use super::*;
     use crate::layout::slang;
@@ -142,19 +152,8 @@ mod tests {
         let crates = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let folders = ["gpu-render", "gpu"].map(|name| crates.join(name).join("src/kernels"));
         let folders = folders.each_ref().map(|path| &**path);
-        let made = [("layout.slang", slang()), ("trees.slang", trees_slang())];
-        assert_eq!(pack().check(&folders, &made), Ok(()));
-        let of = |kernels: BoundaryKernels| {
-            [kernels.cross_edges, kernels.begin_sides, kernels.add_sides]
-        };
-        let paths = [IMAGE, DIFFUSE_IMAGE, IMAGE_FROM_HITS, FORWARD, REVERSE];
-        let paths = paths
-            .iter()
-            .flat_map(|kernels| [kernels.begin, kernels.go_on]);
-        let boundaries = [BOUNDARY, BOUNDARY_BACK].into_iter().flat_map(of);
-        for kernel in paths.chain(boundaries).chain([GO_BACK, WALK, WALK_BACK]) {
-            assert_eq!(kernel.check(), Ok(()));
-        }
+        let made = [("layout.slang", slang()), ("arrays.slang", arrays_slang())];
+        assert_eq!(pack().check(&folders, &made, &KERNELS), Ok(()));
         // NVIDIA's driver is given eight arrays and, behind them, the launch.
         for (name, code) in pack().codes("ptx") {
             let takes = ["SLANG_globalParams[136]", "SLANG_globalParams+128]"];

@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use crate::compiled_kernel::GROUP;
-use crate::copies::{Copies, VIEW};
+use crate::compiled_kernel::{CompiledKernel, GROUP};
+use crate::copies::{Copies, VIEW_WORDS};
 use crate::driver::Memory;
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::kernels::Kernel;
 use crate::launch::Launch;
+use crate::layout::mark::CUT_SHORT;
 use crate::precision::Precision;
 use crate::resident::Resident;
 
@@ -16,14 +16,11 @@ use crate::resident::Resident;
 /// to be busy, and little enough for the CPU's copies to stay in its caches, or nearly.
 const LARGEST: u64 = 1 << 25;
 
-/// The first answer to a query whose loops were cut short, see `rays.slang`.
-const CUT_SHORT: u32 = u32::MAX - 1;
-
 /// What is asked of each query of a kernel: `numbers` for the exact tests, and so many
 /// words and numbers come back.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
-    pub kernel: Kernel,
+    pub kernel: &'static CompiledKernel,
     pub numbers: usize,
     pub answers: usize,
     pub values: usize,
@@ -38,7 +35,12 @@ impl Shape {
         };
         // A buffer of no bytes cannot be bound.
         let values = self.values.max(1) * number;
-        [4 * VIEW, self.numbers * number, 4 * self.answers, values]
+        [
+            4 * VIEW_WORDS,
+            self.numbers * number,
+            4 * self.answers,
+            values,
+        ]
     }
 }
 
@@ -96,7 +98,10 @@ fn ask_with<Q: Sync>(
                 answered => answered?,
             }
             let firsts = copies.answers.iter().step_by(shape.answers);
-            match firsts.filter(|&&answer| answer == CUT_SHORT).count() {
+            match firsts
+                .filter(|&&answer| answer as usize == CUT_SHORT)
+                .count()
+            {
                 0 => {}
                 threads => return Err(gpu.loops_cut_short(threads as u32)),
             }

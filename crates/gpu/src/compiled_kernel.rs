@@ -1,6 +1,6 @@
 //! A kernel as `cargo xtask kernels` compiled it, and the pack in which those of a crate are.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::io::Read;
 use std::path::Path;
 
@@ -48,30 +48,38 @@ impl CompiledKernel {
     }
 
     fn code(&self, language: &str, precision: Precision) -> &'static str {
-        match self.find(language, precision) {
-            Ok(code) => code,
-            Err(problem) => panic!("{problem}"),
+        let file = self.file(language, precision);
+        match (self.pack)().kernels.get(&*file) {
+            Some(kernel) => kernel.code,
+            None => panic!("no {file} in the pack of kernels: run `cargo xtask kernels`"),
         }
     }
 
-    fn find(&self, language: &str, precision: Precision) -> Result<&'static str, String> {
+    /// The name of its file in the pack.
+    fn file(&self, language: &str, precision: Precision) -> String {
         let precision = match precision {
             Precision::Single => "single",
             Precision::Double => "double",
         };
-        let file = format!("{}_{precision}.{language}", self.name);
-        let kernel = (self.pack)().kernels.get(&*file).map(|kernel| kernel.code);
-        kernel.ok_or_else(|| format!("no {file} in the pack of kernels: run `cargo xtask kernels`"))
+        format!("{}_{precision}.{language}", self.name)
     }
+}
 
-    /// An error, in words, if its pack lacks it in one of the languages and precisions. For tests.
-    pub fn check(&self) -> Result<(), String> {
-        for precision in [Precision::Single, Precision::Double] {
-            self.find("wgsl", precision)?;
-            self.find("ptx", precision)?;
-        }
-        Ok(())
-    }
+/// The kernels of a crate as constants: the function that has their pack, then of each its entry point, and how many
+/// queries, paths or the like a group of 64 threads works on. For tests, `KERNELS` are all of them.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! compiled_kernels {
+    ($pack:ident: $($(#[$doc:meta])* $kernel:ident = $name:literal of $group:expr,)*) => {
+        $($(#[$doc])* pub const $kernel: $crate::CompiledKernel = $crate::CompiledKernel {
+            name: $name,
+            group: $group,
+            pack: $pack,
+        };)*
+
+        #[cfg(test)]
+        const KERNELS: [$crate::CompiledKernel; [$($name),*].len()] = [$($kernel),*];
+    };
 }
 
 /// The compiled kernels of a crate: one LZMA stream of text, that of each kernel behind a line that begins
@@ -97,12 +105,12 @@ impl KernelPack {
     ///
     /// # Panics
     ///
-    /// If the file is anything else.
+    /// If the file is anything else, as that of a crate whose kernels were not compiled yet.
     pub fn unpack(packed: &[u8]) -> Self {
         let mut text = String::new();
         LzmaReader::new_mem_limit(packed, u32::MAX, None)
             .and_then(|mut reader| reader.read_to_string(&mut text))
-            .expect("a pack of kernels");
+            .expect("a pack of kernels, which `cargo xtask kernels` writes anew");
         let text: &'static str = text.leak();
         // Each kernel ends with the line before the next one's head.
         let heads = text.match_indices(Self::MARK);
@@ -127,9 +135,29 @@ impl KernelPack {
         }
     }
 
-    /// An error, in words, if a kernel was compiled from another source than the one of that name that was made, or
-    /// is in the first of these folders that has it, or if it is damaged. For tests.
-    pub fn check(&self, folders: &[&Path], made: &[(&str, String)]) -> Result<(), String> {
+    /// An error, in words, if its kernels are not these, in each language and precision; if one was compiled from
+    /// another source than the one of that name that was made, or is in the first of these folders that has it; or if
+    /// it is damaged. For tests.
+    pub fn check(
+        &self,
+        folders: &[&Path],
+        made: &[(&str, String)],
+        kernels: &[CompiledKernel],
+    ) -> Result<(), String> {
+        let versions = [Precision::Single, Precision::Double]
+            .map(|precision| ["wgsl", "ptx"].map(|language| (language, precision)));
+        let files = kernels.iter().flat_map(|kernel| {
+            let files = versions.as_flattened().iter();
+            files.map(|&(language, precision)| kernel.file(language, precision))
+        });
+        let named: BTreeSet<String> = files.collect();
+        let packed = self.kernels.keys().map(|&file| file.to_owned()).collect();
+        if let Some(file) = named.difference(&packed).next() {
+            return Err(format!("no {file}: run `cargo xtask kernels`"));
+        }
+        if let Some(file) = packed.difference(&named).next() {
+            return Err(format!("{file} is the code of no kernel of the crate"));
+        }
         for (file, kernel) in &self.kernels {
             let source = with_includes(folders, made, kernel.source)?;
             if checksum(&source) != kernel.checksum {

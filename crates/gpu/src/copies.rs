@@ -2,8 +2,10 @@
 
 use rayon::prelude::*;
 
+use crate::layout::view::VIEW;
+
 /// Words of a query for the bounds.
-pub const VIEW: usize = 12;
+pub const VIEW_WORDS: usize = 4 * VIEW;
 
 /// Queries that are prepared by one thread.
 const CHUNK: usize = 256;
@@ -28,11 +30,11 @@ impl Copies {
         queries: &[Q],
         prepare: &(impl Fn(&Q, &mut [u32], &mut [f64]) + Sync),
     ) {
-        self.views.resize(VIEW * queries.len(), 0);
+        self.views.resize(VIEW_WORDS * queries.len(), 0);
         self.numbers.resize(numbers * queries.len(), 0.0);
         (
             queries,
-            self.views.par_chunks_exact_mut(VIEW),
+            self.views.par_chunks_exact_mut(VIEW_WORDS),
             self.numbers.par_chunks_exact_mut(numbers),
         )
             .into_par_iter()

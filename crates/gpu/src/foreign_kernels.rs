@@ -75,6 +75,6 @@ impl Gpu {
             capacity,
             primitives,
         };
-        self.run_compiled(kernel, arrays.map(|array| &array.memory), whole)
+        self.run(kernel, arrays.map(|array| &array.memory), whole)
     }
 }

@@ -10,7 +10,7 @@ use crate::copies::Copies;
 use crate::cuda_driver::CudaDriver;
 use crate::driver::{Driver, Memory};
 use crate::error::GpuError;
-use crate::kernels::Kernel;
+use crate::kernels::EIGHTS;
 use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 use crate::wgpu_driver::WgpuDriver;
@@ -186,7 +186,7 @@ impl Gpu {
             capacity: 0,
             primitives: 0,
         };
-        self.run(Kernel::Eights, arrays, whole)?;
+        self.run(&EIGHTS, arrays, whole)?;
         let mut right = vec![0_u32; threads];
         self.download(&answers, bytemuck::cast_slice_mut(&mut right))?;
         Ok(*self
@@ -229,16 +229,6 @@ impl Gpu {
     /// Runs a kernel for some queries, cut into launches each of which takes about as long as
     /// the options say.
     pub(crate) fn run(
-        &self,
-        kernel: Kernel,
-        arrays: [&Memory; ARRAYS],
-        whole: Launch,
-    ) -> Result<(), GpuError> {
-        self.run_compiled(&kernel.compiled(), arrays, whole)
-    }
-
-    /// Runs a kernel of any crate.
-    pub(crate) fn run_compiled(
         &self,
         kernel: &CompiledKernel,
         arrays: [&Memory; ARRAYS],

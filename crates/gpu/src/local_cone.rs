@@ -7,11 +7,9 @@ use capwalk_geometry::edge::ON_PLANE;
 use capwalk_geometry::{ConeQuery, EdgeSelection, LocalFrame};
 use capwalk_math::Vec3;
 
+use crate::layout::cone::*;
 use crate::local_ray::round_up;
 use crate::precision::Precision;
-
-/// Numbers per cone.
-pub const CONE: usize = 16;
 
 /// Error of positions in local coordinates, and of what kernels compute from them, per
 /// local unit of distance from the apex: sums of some thirty terms of at most that size,
@@ -91,10 +89,14 @@ pub fn write(
             )
         }
     };
-    for (numbers, v) in numbers.chunks_exact_mut(3).zip(vectors) {
-        numbers.copy_from_slice(&v.to_array());
+    let places = [CONE_APEX, CONE_AXIS, CONE_PLANE_POINT, CONE_PLANE_NORMAL];
+    for (at, v) in places.into_iter().zip(vectors) {
+        numbers[at..at + 3].copy_from_slice(&v.to_array());
     }
-    numbers[12..].copy_from_slice(&tail);
+    let places = [CONE_ON_PLANE, CONE_SIZE, CONE_LIMIT, CONE_LARGEST];
+    for (at, number) in places.into_iter().zip(tail) {
+        numbers[at] = number;
+    }
 }
 
 /// The pseudo-angle that is the limit of a half-angle: `ρ / (ρ + z)` in front of the

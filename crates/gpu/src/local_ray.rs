@@ -4,10 +4,8 @@
 use capwalk_geometry::ray::{EDGE_ON, RayShear};
 use capwalk_geometry::{LocalFrame, Ray};
 
+use crate::layout::ray::*;
 use crate::precision::Precision;
-
-/// Numbers per ray.
-pub const RAY: usize = 12;
 
 /// What single precision may add up to between a plane of a box and the distance at
 /// which the ray crosses it, as a displacement of the plane in local units. There are
@@ -127,20 +125,15 @@ impl LocalRay {
                 f64::from(f32::MAX),
             ),
         };
-        let [shear_x, shear_y] = self.shear.shear;
-        numbers[..3].copy_from_slice(&origin);
+        numbers[RAY_ORIGIN..RAY_SHEAR].copy_from_slice(&origin);
+        numbers[RAY_SHEAR..RAY_INVERSE_Z].copy_from_slice(&self.shear.shear);
+        numbers[RAY_INVERSE_Z] = inverse_z;
         let bounds = [from, to].map(|t| t.clamp(-largest, largest));
-        numbers[3..].copy_from_slice(&[
-            shear_x,
-            shear_y,
-            inverse_z,
-            bounds[0],
-            bounds[1],
-            local_per_t,
-            enter,
-            edge_on,
-            largest,
-        ]);
+        numbers[RAY_RANGE..RAY_LOCAL_PER_T].copy_from_slice(&bounds);
+        numbers[RAY_LOCAL_PER_T] = local_per_t;
+        numbers[RAY_ENTER] = enter;
+        numbers[RAY_EDGE_ON] = edge_on;
+        numbers[RAY_LARGEST] = largest;
     }
 
     /// The distance along the ray of what a kernel calls a distance.

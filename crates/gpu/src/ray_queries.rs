@@ -9,8 +9,9 @@ use rayon::prelude::*;
 use crate::batch::{self, Shape};
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::kernels::Kernel;
-use crate::local_ray::{LocalRay, RAY, write_miss};
+use crate::kernels::{FIRST_HIT, OCCLUDED};
+use crate::layout::ray::{HIT_NUMBERS, RAY};
+use crate::local_ray::{LocalRay, write_miss};
 use crate::refit::{Primitives, Refit};
 use crate::resident::{Arrays, Resident};
 
@@ -73,15 +74,15 @@ impl DeviceRayTree {
     /// lowest face.
     pub fn first_hits(&self, rays: &[Ray]) -> Result<Vec<Option<Hit>>, GpuError> {
         let shape = Shape {
-            kernel: Kernel::FirstHit,
+            kernel: &FIRST_HIT,
             numbers: RAY,
             answers: 1,
-            values: 3,
+            values: HIT_NUMBERS,
         };
         let precision = self.gpu.precision();
         let mut hits = Vec::with_capacity(rays.len());
         self.run(shape, rays, |rays, faces, values| {
-            let values = values.as_chunks::<3>().0;
+            let values = values.as_chunks::<HIT_NUMBERS>().0;
             let answers = rays.par_iter().zip(faces).zip(values);
             hits.par_extend(answers.map(|((ray, &face), &[t, v, w])| {
                 let is_hit = face != NONE;
@@ -100,7 +101,7 @@ impl DeviceRayTree {
     /// True if anything lies within each ray's bounds.
     pub fn occluded(&self, rays: &[Ray]) -> Result<Vec<bool>, GpuError> {
         let shape = Shape {
-            kernel: Kernel::Occluded,
+            kernel: &OCCLUDED,
             numbers: RAY,
             answers: 1,
             values: 0,

@@ -9,11 +9,14 @@ use capwalk_geometry::{LocalFrame, Mesh};
 use capwalk_math::Vec3;
 use rayon::prelude::*;
 
+use crate::compiled_kernel::CompiledKernel;
 use crate::driver::Memory;
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::kernels::Kernel;
+use crate::kernels::{BOUND_EDGES, BOUND_TRIANGLES, MOVED_EDGES, MOVED_TRIANGLES};
 use crate::launch::Launch;
+use crate::layout::frame::*;
+use crate::layout::position::*;
 use crate::precision::Precision;
 use crate::resident::{Resident, reserved, uploaded};
 
@@ -28,10 +31,10 @@ pub enum Primitives {
 
 impl Primitives {
     /// The kernels that write primitives, and bounds.
-    fn kernels(&self) -> [Kernel; 2] {
+    fn kernels(&self) -> [&'static CompiledKernel; 2] {
         match self {
-            Self::Triangles => [Kernel::MovedTriangles, Kernel::BoundTriangles],
-            Self::Edges(_) => [Kernel::MovedEdges, Kernel::BoundEdges],
+            Self::Triangles => [&MOVED_TRIANGLES, &BOUND_TRIANGLES],
+            Self::Edges(_) => [&MOVED_EDGES, &BOUND_EDGES],
         }
     }
 
@@ -82,7 +85,8 @@ impl Primitives {
 /// What a tree needs on the device to follow vertices.
 #[derive(Debug)]
 pub struct Refit {
-    kernels: [Kernel; 2],
+    kernels: [&'static CompiledKernel; 2],
+    is_of_triangles: bool,
     /// Eight children for each node.
     children: u32,
     below: Memory,
@@ -137,10 +141,14 @@ impl Refit {
             Precision::Double => size_of::<[f64; FRAME]>(),
             Precision::Single => size_of::<[f32; 3]>() * mesh.faces.len(),
         };
-        // Of three numbers in double precision, or twice three in single.
-        let positions = 24 * mesh.positions.len();
+        let position = match gpu.precision() {
+            Precision::Double => size_of::<[f64; EXACT_POSITION]>(),
+            Precision::Single => size_of::<[f32; SUMMED_POSITION]>(),
+        };
+        let positions = position * mesh.positions.len();
         Ok(Self {
             kernels: primitives.kernels(),
+            is_of_triangles: matches!(primitives, Primitives::Triangles),
             children: (below.len() / 2) as u32,
             below: uploaded(gpu, bytemuck::cast_slice(below))?,
             sides: uploaded(gpu, bytemuck::cast_slice(primitives.sides()))?,
@@ -175,7 +183,6 @@ impl Refit {
         let framed = self.framed.iter();
         let frame = LocalFrame::around(framed.map(|&vertex| mesh.positions[vertex as usize]));
         self.upload(gpu, mesh, &frame)?;
-        let is_of_triangles = self.kernels[0] == Kernel::MovedTriangles;
         let [spare_nodes, spare_primitives, spare_rough] = &self.spare;
         let [nodes, _, _, rough] = tree.arrays();
         let launch = |end: u32| Launch {
@@ -199,7 +206,11 @@ impl Refit {
             nodes,
             &self.below,
             spare_primitives,
-            if is_of_triangles { rough } else { spare_rough },
+            if self.is_of_triangles {
+                rough
+            } else {
+                spare_rough
+            },
             &self.sides,
             &self.others,
             spare_nodes,
@@ -208,7 +219,7 @@ impl Refit {
         ];
         gpu.run(self.kernels[1], arrays, launch(self.children))?;
         // The numbers of triangles stay.
-        tree.exchange(&mut self.spare, is_of_triangles);
+        tree.exchange(&mut self.spare, self.is_of_triangles);
         Ok(frame)
     }
 
@@ -217,14 +228,15 @@ impl Refit {
         match gpu.precision() {
             Precision::Double => {
                 let positions = mesh.positions.par_iter().with_min_len(1024);
-                let positions: Vec<[f64; 3]> = positions.map(|p| p.to_array()).collect();
+                let positions: Vec<[f64; EXACT_POSITION]> =
+                    positions.map(|p| p.to_array()).collect();
                 gpu.upload(&self.positions, bytemuck::cast_slice(&positions))?;
                 gpu.upload(&self.others, bytemuck::cast_slice(&numbers(frame)))
             }
             Precision::Single => {
                 let positions = mesh.positions.par_iter().with_min_len(1024);
                 let positions = positions.map(|&p| two_parts(frame.local_from_world(p)));
-                let positions: Vec<[f32; 6]> = positions.collect();
+                let positions: Vec<[f32; SUMMED_POSITION]> = positions.collect();
                 gpu.upload(&self.positions, bytemuck::cast_slice(&positions))?;
                 let faces = (0..mesh.faces.len()).into_par_iter().with_min_len(1024);
                 let normals: Vec<[f32; 3]> = faces.map(|face| unit_normal(mesh, face)).collect();
@@ -241,19 +253,20 @@ fn check(mesh: &Mesh) -> Result<(), GpuError> {
     })
 }
 
-/// Numbers of a frame.
-const FRAME: usize = 6;
-
 /// A frame as the kernels read it, with the largest number and the least length that has an
 /// inverse.
 fn numbers(frame: &LocalFrame) -> [f64; FRAME] {
-    let [x, y, z] = frame.centre.to_array();
-    [x, y, z, frame.inverse_scale, f64::MAX, f64::MIN_POSITIVE]
+    let mut numbers = [0.0; FRAME];
+    numbers[FRAME_CENTRE..FRAME_SCALE].copy_from_slice(&frame.centre.to_array());
+    numbers[FRAME_SCALE] = frame.inverse_scale;
+    numbers[FRAME_LARGEST] = f64::MAX;
+    numbers[FRAME_LEAST] = f64::MIN_POSITIVE;
+    numbers
 }
 
 /// Two numbers for each coordinate, of which it is the sum: the first ones are the rounded
 /// coordinates.
-fn two_parts(p: Vec3) -> [f32; 6] {
+fn two_parts(p: Vec3) -> [f32; SUMMED_POSITION] {
     let [x, y, z] = p.to_array();
     let rounded = [x, y, z].map(|v| v as f32);
     let rest = [0, 1, 2].map(|axis| (p[axis] - f64::from(rounded[axis])) as f32);

@@ -11,14 +11,12 @@ use capwalk_geometry::{ConeQuery, EdgeSelection, LocalFrame};
 use crate::batch::{self, Shape};
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::kernels::Kernel;
-use crate::local_cone::{self, CONE, SINGLE_ERROR};
+use crate::kernels::SAMPLE_EDGES;
+use crate::layout::cone::{CONE, CONE_LIMIT, CONE_SIZE};
+use crate::layout::sampled::*;
+use crate::local_cone::{self, SINGLE_ERROR};
 use crate::precision::Precision;
 use crate::resident::{Arrays, Resident};
-
-/// Numbers per cone: what exact tests need, sine and cosine of the half-angle, what rounding adds
-/// up to less than and the size of coordinates, the random numbers.
-const SAMPLED: usize = CONE + 6;
 
 /// In single precision, what rounding adds up to less than, per unit of the size of coordinates.
 const SINGLE_CLEAR: f64 = 4.0 * SINGLE_ERROR;
@@ -92,7 +90,7 @@ impl DeviceEdgeSampler {
             return Ok(vec![None; cones.len()]);
         };
         let shape = Shape {
-            kernel: Kernel::SampleEdges,
+            kernel: &SAMPLE_EDGES,
             numbers: SAMPLED,
             answers: 1,
             values: 1,
@@ -123,23 +121,23 @@ impl DeviceEdgeSampler {
             groups: u8::MAX,
             in_front_of: None,
         };
-        let (exact, own) = numbers.split_at_mut(CONE);
-        local_cone::write(&self.frame, &query, precision, view, exact);
+        local_cone::write(&self.frame, &query, precision, view, &mut numbers[..CONE]);
         // No test of angles follows.
-        exact[14] = local_cone::pseudo_limit(cone.max_angle);
+        numbers[CONE_LIMIT] = local_cone::pseudo_limit(cone.max_angle);
         view[0] = u32::from(self.all_edges);
         for (words, number) in view[8..].chunks_exact_mut(2).zip(cone.numbers) {
             let bits = (number * ALL_BITS) as u64;
             words.copy_from_slice(&[(bits >> 32) as u32, bits as u32]);
         }
-        let [sin, cos] = cone.sin_cos();
         // The size of the apex, and of what is in the tree.
         let (clear, size) = match precision {
-            Precision::Double => (CLEAR, exact[13]),
-            Precision::Single => (SINGLE_CLEAR, exact[13] + 3.0),
+            Precision::Double => (CLEAR, numbers[CONE_SIZE]),
+            Precision::Single => (SINGLE_CLEAR, numbers[CONE_SIZE] + 3.0),
         };
-        let [u, v] = cone.numbers;
-        own.copy_from_slice(&[sin, cos, clear, size, u, v]);
+        numbers[SAMPLED_ANGLE..SAMPLED_CLEAR].copy_from_slice(&cone.sin_cos());
+        numbers[SAMPLED_CLEAR] = clear;
+        numbers[SAMPLED_SIZE] = size;
+        numbers[SAMPLED_RANDOM..].copy_from_slice(&cone.numbers);
     }
 }
 

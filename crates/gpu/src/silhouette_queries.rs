@@ -10,8 +10,9 @@ use rayon::prelude::*;
 use crate::batch::{self, Shape};
 use crate::error::GpuError;
 use crate::gpu::Gpu;
-use crate::kernels::Kernel;
-use crate::local_cone::{self, CONE};
+use crate::kernels::{CLOSEST, GATHER};
+use crate::layout::cone::{CONE, NEAREST_NUMBERS};
+use crate::local_cone;
 use crate::precision::Precision;
 use crate::refit::{Primitives, Refit};
 use crate::resident::{Arrays, Resident};
@@ -105,14 +106,14 @@ impl DeviceSilhouetteTree {
     /// near ones that of the lowest edge.
     pub fn closest(&self, queries: &[ConeQuery]) -> Result<Vec<Option<SilhouettePoint>>, GpuError> {
         let shape = Shape {
-            kernel: Kernel::Closest,
+            kernel: &CLOSEST,
             numbers: CONE,
             answers: 1,
-            values: 4,
+            values: NEAREST_NUMBERS,
         };
         let mut points = Vec::with_capacity(queries.len());
         self.run(shape, queries, |queries, edges, values| {
-            let values = values.as_chunks::<4>().0;
+            let values = values.as_chunks::<NEAREST_NUMBERS>().0;
             let answers = queries.par_iter().zip(edges).zip(values);
             points.par_extend(answers.map(|((query, &edge), &[t, x, y, z])| {
                 let is_found = edge != NONE;
@@ -191,7 +192,7 @@ impl DeviceSilhouetteTree {
         capacity: usize,
     ) -> Result<(Vec<usize>, Vec<u32>), GpuError> {
         let shape = Shape {
-            kernel: Kernel::Gather,
+            kernel: &GATHER,
             numbers: CONE,
             answers: capacity + 1,
             values: 0,

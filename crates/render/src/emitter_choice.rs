@@ -11,10 +11,10 @@ use crate::vertex::Vertex;
 /// Share of the choices that do not depend on how bright emitters are: the brightest one may be
 /// hidden. So none that can light the point is chosen less than half as often as if all were
 /// chosen alike.
-const UNIFORM: f64 = 0.5;
+pub const UNIFORM: f64 = 0.5;
 
 /// More emitters are chosen alike: to add up their light at each shading point takes too long.
-const MANY: usize = 32;
+pub const MANY: usize = 32;
 
 /// The probabilities of numbered emitters at a shading point.
 pub struct EmitterChoice {

@@ -11,7 +11,7 @@ use crate::scene_eval::SceneEval;
 
 /// Bounds of the root of the number of pieces, as far as it decides how many points there are:
 /// where there are many pieces they differ more.
-const ROOTS: [f64; 2] = [2.0, 32.0];
+pub const ROOTS: [f64; 2] = [2.0, 32.0];
 
 /// An estimate of the boundary term, see [`SampledEdges::term`], over all edges in the window
 /// of an emitter and its own, from `points` times the root of the number of their pieces. The

@@ -10,6 +10,7 @@ pub mod adaptive;
 mod aov;
 mod average_on_device;
 mod camera;
+pub mod constants;
 mod device;
 mod direct_edge_term;
 mod emitter_choice;

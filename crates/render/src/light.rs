@@ -277,7 +277,7 @@ fn sample_emitter(
 
 /// Share of directions to an environment map that are drawn uniformly: black
 /// texels have derivatives, too.
-const UNIFORM_SKY: f64 = 0.05;
+pub const UNIFORM_SKY: f64 = 0.05;
 
 /// A direction to an environment map, in world space.
 fn sample_map(table: Option<&EnvironmentTable>, u: [f64; 2]) -> Vec3 {

@@ -36,7 +36,7 @@ pub struct Side {
 }
 
 /// Bins of the piecewise constant density that filters are drawn from.
-const BINS: usize = 32;
+pub const BINS: usize = 32;
 
 /// The support of a pixel.
 #[derive(Clone, Copy, Debug)]

@@ -40,7 +40,7 @@ use crate::vertex::Vertex;
 pub const RR_MAX: f64 = 0.95;
 /// Smallest one for derivatives: a path that carries no light may carry a
 /// derivative, such as that of a black material's reflectance.
-const RR_MIN: f64 = 0.05;
+pub const RR_MIN: f64 = 0.05;
 
 /// The specular events since a direction was warped along a field.
 #[derive(Clone, Copy, Debug)]

@@ -19,14 +19,14 @@ const NUMBERS: u32 = 2;
 
 /// Subtrees for the vertex of a path of this number: later ones matter less, and so does what is seen
 /// in mirrors.
-fn subtree_count(depth: u32, in_mirrors: bool) -> u32 {
+pub const fn subtree_count(depth: u32, in_mirrors: bool) -> u32 {
     if depth == 0 && !in_mirrors { 2 } else { 1 }
 }
 /// Points on the edges of each.
 const POINTS: u32 = 1;
 
 /// 1 over the golden ratio: its multiples are spread evenly in `[0, 1)`.
-const SPREAD: f64 = 0.618_033_988_749_895;
+pub const SPREAD: f64 = 0.618_033_988_749_895;
 
 /// An estimate of the boundary term over all edges of a sampler, see [`SampledEdges::term`].
 /// `motions` are those of its nodes. `light` guesses the radiance from a direction, and `discontinuity`

@@ -18,21 +18,21 @@ use crate::vertex::Vertex;
 
 /// How far the planes of a window are moved outward, as a fraction of the edge's
 /// distance: more than rounding.
-const IN_PLANE: f64 = 1e-9;
+pub const IN_PLANE: f64 = 1e-9;
 
 /// The effort of weighing a piece: BSDF and cosine are evaluated.
 const EFFORT_OF_PIECE: u64 = 4;
 
 /// Length of the longest piece that has one sampling weight, radians: lobes are narrow.
-const PIECE: f64 = 0.05;
+pub const PIECE: f64 = 0.05;
 /// Length of the longest piece at diffuse surfaces, radians.
-const DIFFUSE_PIECE: f64 = 0.2;
+pub const DIFFUSE_PIECE: f64 = 0.2;
 /// The most pieces of one edge.
-const MOST_PIECES: f64 = 32.0;
+pub const MOST_PIECES: f64 = 32.0;
 
 /// Share of the mean over all pieces that is added to what a piece contributes at its
 /// middle: beside the middle there may be light, or motion.
-const LEAST_WEIGHT: f64 = 0.03;
+pub const LEAST_WEIGHT: f64 = 0.03;
 /// The weight per angle that is added where that mean is zero.
 const TINY: f64 = 1e-30;
 

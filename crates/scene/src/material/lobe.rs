@@ -81,14 +81,15 @@ mod thin_dielectric;
 mod tilt;
 mod visible_facets;
 
+pub use coat::LEAST_WEIGHT;
 pub use event::{Event, Side, Specular};
 pub use fresnel::{fresnel_conductor, fresnel_dielectric, fresnel_diffuse};
 pub use list::*;
 pub use local::{cosine_pdf, sample_cosine};
 pub use local_bsdf::{BsdfDirection, BsdfSample, LocalBsdf};
-pub use microfacets::{Distribution, Microfacets, Mirrored};
+pub use microfacets::{Distribution, MIN_ALPHA, Microfacets, Mirrored, SHADOWLESS};
 pub use principled::Explored;
 pub use principled_thin::ExploredThin;
 pub use rough_surface::RoughSurface;
-pub use rough_transmittance::RoughTransmittance;
+pub use rough_transmittance::{NODES, RoughTransmittance};
 pub use tilt::Tilt;

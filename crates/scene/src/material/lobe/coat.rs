@@ -15,11 +15,12 @@ pub(super) fn base<R: Real>(diffuse: Rgb<R>, internal_reflectance: R, nonlinear:
     }
 }
 
+/// The least of these weights: what is black may have a derivative, so it is sampled a little.
+pub const LEAST_WEIGHT: f64 = 0.05;
+
 /// Base and coat are chosen in proportion to these, times what passes the coat and what does not.
 #[inline]
 pub(super) fn choice_weights(diffuse: Rgb, specular: Rgb) -> [f64; 2] {
-    // What is black may have a derivative: it is sampled a little.
-    const LEAST_WEIGHT: f64 = 0.05;
     [diffuse, specular].map(|colour| local::mean(colour).max(LEAST_WEIGHT))
 }
 

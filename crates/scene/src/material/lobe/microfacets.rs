@@ -14,10 +14,10 @@ use serde::{Deserialize, Serialize};
 
 /// Smallest roughness, as in Mitsuba; below, the lobe is too narrow for the
 /// digits of a direction.
-pub(super) const MIN_ALPHA: f64 = 1e-4;
+pub const MIN_ALPHA: f64 = 1e-4;
 
 /// Where `erf(a)` is one to the last digit and `exp(-a²)` is below it.
-pub(super) const SHADOWLESS: f64 = 6.0;
+pub const SHADOWLESS: f64 = 6.0;
 
 /// The shape of the distribution of slopes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

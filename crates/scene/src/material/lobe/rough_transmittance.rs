@@ -10,7 +10,7 @@ use super::refraction::refracted_about;
 use super::visible_facets::VisibleFacets;
 
 /// Cosines in the table, from 0 to 1, as many as in Mitsuba.
-const NODES: usize = 64;
+pub const NODES: usize = 64;
 
 /// What a rough dielectric coat does to light on average: the fraction that
 /// passes it from outside by the cosine of the direction, and the fraction of
