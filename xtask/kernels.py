@@ -26,7 +26,6 @@ ENTRIES = {
     "queries": ["first_hit", "occluded", "closest", "gather", "eights"],
     "moved": ["moved_triangles", "moved_edges"],
     "bounds": ["bound_triangles", "bound_edges"],
-    "sampled": ["sample_edges"],
     "render": ["begin_paths", "go_on", "go_on_diffuse"],
     "forward": ["begin_forward", "go_on_forward"],
     "boundary": ["cross_edges", "begin_sides", "add_sides"],

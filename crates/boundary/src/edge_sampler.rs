@@ -3,7 +3,7 @@
 //! The time grows with the logarithm of the edges.
 
 mod division;
-mod in_cone;
+mod flat_arrays;
 
 use std::ops::Range;
 

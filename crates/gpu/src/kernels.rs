@@ -27,8 +27,6 @@ compiled_kernels! {
     /// Bounds of the children of nodes around these.
     BOUND_TRIANGLES = "bound_triangles" of 1,
     BOUND_EDGES = "bound_edges" of 1,
-    /// Edges sampled in cones.
-    SAMPLE_EDGES = "sample_edges" of GROUP,
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! What the host writes and the kernels read: sizes, marks, and which number of a query is what. Declared once,
 //! here; the kernels include it as `arrays.slang`, which `cargo xtask kernels` writes.
 
-use capwalk_geometry::{buffers, sampler_buffers};
+use capwalk_geometry::buffers;
 
 /// Constants in groups, which are modules, and a function that writes them as Slang in a format, where names stand
 /// without the group's.
@@ -46,11 +46,6 @@ slang_constants! {
         TRIANGLE = buffers::TRIANGLE, EDGE = buffers::EDGE,
     }
 
-    /// Numbers of the bounds of a node of an edge sampler, and factors of an edge.
-    sampler {
-        BOUNDS = sampler_buffers::BOUNDS, FACTORS = sampler_buffers::FACTORS,
-    }
-
     /// No number, leaves among nodes, edges whose faces have changed sides, and the first answer to a query whose loops were cut
     /// short.
     mark {
@@ -75,13 +70,6 @@ slang_constants! {
         CONE_APEX = 0, CONE_AXIS = 3, CONE_PLANE_POINT = 6, CONE_PLANE_NORMAL = 9,
         CONE_ON_PLANE = 12, CONE_SIZE = 13, CONE_LIMIT = 14, CONE_LARGEST = 15, CONE = 16,
         NEAREST_NUMBERS = 4,
-    }
-
-    /// Numbers of a cone in which an edge is sampled, behind the others: sine and cosine of the half-angle, what rounding adds up
-    /// to less than and the size of coordinates, and the random numbers.
-    sampled {
-        SAMPLED_ANGLE = cone::CONE, SAMPLED_CLEAR = SAMPLED_ANGLE + 2, SAMPLED_SIZE = SAMPLED_ANGLE + 3,
-        SAMPLED_RANDOM = SAMPLED_ANGLE + 4, SAMPLED = SAMPLED_RANDOM + 2,
     }
 
     /// Numbers of a frame: its centre, local units per world unit, the largest number, and the least length that has an inverse.

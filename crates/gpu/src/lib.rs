@@ -1,6 +1,5 @@
 //! Geometry queries in batches on a GPU of any vendor, or on software Vulkan: first hits,
-//! occlusion, closest silhouettes, all silhouettes in a cone, and edges sampled in a cone, over the
-//! trees of `capwalk-geometry`.
+//! occlusion, closest silhouettes, and all silhouettes in a cone, over the trees of `capwalk-geometry`.
 //!
 //! ```no_run
 //! use std::sync::Arc;
@@ -49,11 +48,9 @@ mod precision;
 mod ray_queries;
 mod refit;
 mod resident;
-mod sampler_queries;
 mod silhouette_queries;
 mod wgpu_driver;
 
-pub use capwalk_geometry::sampler_buffers::{DrawnEdge, EdgeCone};
 pub use compiled_kernel::{CompiledKernel, GROUP, KernelPack};
 pub use error::GpuError;
 pub use foreign_kernels::DeviceArray;
@@ -62,5 +59,4 @@ pub use layout::slang as arrays_slang;
 pub use local_cone::SINGLE_ERROR;
 pub use precision::Precision;
 pub use ray_queries::DeviceRayTree;
-pub use sampler_queries::DeviceEdgeSampler;
 pub use silhouette_queries::{DeviceSilhouetteTree, Gathered};

@@ -7,5 +7,4 @@ mod faults;
 mod meshes;
 mod rays;
 mod refit;
-mod samples;
 mod silhouettes;
