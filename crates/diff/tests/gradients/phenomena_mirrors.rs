@@ -196,11 +196,7 @@ fn block_over_a_polished_floor() {
     let mut scene = block_before_a_mirror();
     scene.shapes.pop();
     make(&mut scene, "floor", |n| n.coat(false));
-    let case = Case {
-        gradient_spp: 370,
-        ..case(600)
-    };
-    moves("polished", scene, "block.translate.x", case);
+    moves("polished", scene, "block.translate.x", case(600));
 }
 
 /// A floor is lit directly and by way of a mirror; a triangle out of view moves

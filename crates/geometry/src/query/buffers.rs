@@ -232,7 +232,7 @@ fn cone_child(node: &ConeNode, slot: usize) -> [u32; CONE_CHILD] {
 }
 
 /// The numbers of an edge in the frame's coordinates.
-pub(crate) fn local_edge(frame: &LocalFrame, edge: &[f64; EDGE]) -> [f32; EDGE] {
+fn local_edge(frame: &LocalFrame, edge: &[f64; EDGE]) -> [f32; EDGE] {
     let vector = |at: usize| Vec3::new(edge[at], edge[at + 1], edge[at + 2]);
     let [a, b, first, second] = [0, 3, 6, 9].map(vector);
     let along = (b - a) * frame.inverse_scale;
