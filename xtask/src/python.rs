@@ -1,14 +1,17 @@
 //! The Python package: its module built, its types and tests checked in an environment of
 //! its own.
 
+use std::fs::{self, File};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::LazyLock;
-use std::{fs, thread};
+use std::thread;
+use std::time::Instant;
 
-use anyhow::{Context, Result, bail};
+use anyhow::{Context, Result, bail, ensure};
 
-use crate::shell::{EVERYTHING, cargo, root, start, target};
+use crate::shell::{root, target};
 use crate::tier::Tier;
 use crate::virtual_environment::environment;
 use crate::vulkan;
@@ -59,12 +62,11 @@ pub fn fetch() {
     }
 }
 
-/// Builds the module as the tests of Rust are built, and runs the tests of the package with
-/// it. Where there is no python3 or PyPI cannot be reached it says so. Where the variable `CI`
-/// is set it fails then, and the frameworks are installed as well. The thorough tier compares the
-/// stored outputs of tutorials with a run.
+/// Runs the tests of the package with the module that is built for the tests of Rust. What they print
+/// goes to a file, and is shown as a whole at the end. Where there is no python3 or PyPI cannot be
+/// reached it says so. Where the variable `CI` is set it fails then, and the frameworks are installed
+/// as well. The thorough tier compares the stored outputs of tutorials with a run.
 pub fn test(tier: Tier) -> Result<()> {
-    let folder = target().join("python");
     let python = match &*PYTHON {
         Ok(python) => python,
         Err(reason) if is_ci() => bail!("{reason}"),
@@ -73,44 +75,57 @@ pub fn test(tier: Tier) -> Result<()> {
             return Ok(());
         }
     };
-    // Together with the tests of Rust, which are there already: built without them, libraries would
-    // have fewer features, and nearly all would be built twice.
-    let mut build = cargo(&["build", "--lib", "--bins", "--tests"]);
-    build.args(EVERYTHING);
-    start("python: module", build)?;
+    let folder = target().join("python");
+    let log = folder.join("tests.log");
+    let result = File::create(&log)
+        .with_context(|| format!("cannot write {}", log.display()))
+        .and_then(|file| checks(python, &folder, &file, tier));
+    print!("{}", fs::read_to_string(&log).unwrap_or_default());
+    result
+}
+
+/// Types, tests, examples in docstrings and the pages of documentation, with the time that each took.
+fn checks(python: &Path, folder: &Path, mut log: &File, tier: Tier) -> Result<()> {
     let site = folder.join("site");
     install(&site)?;
-    let run = |arguments: &[&str]| {
+    let mut check = |name: &str, folder: &Path, arguments: &[&str]| {
+        let started = Instant::now();
+        writeln!(log, "--- python: {name}")?;
         let mut command = Command::new(python);
-        command.args(arguments).current_dir(root());
-        command.env("PYTHONPATH", &site);
-        command
+        command.arg("-m").args(arguments).current_dir(folder);
+        command.env("PYTHONPATH", &site).envs(vulkan::for_tests());
+        if tier == Tier::Thorough {
+            command.env("CAPWALK_THOROUGH", "1");
+        }
+        let status = command
+            .stdout(log.try_clone()?)
+            .stderr(log.try_clone()?)
+            .status()
+            .with_context(|| format!("cannot start {}", python.display()))?;
+        writeln!(log, "    {:.0} s", started.elapsed().as_secs_f64())?;
+        ensure!(status.success(), "python: {name} failed ({status})");
+        Ok(())
     };
-    let sources = ["-m", "mypy", "--strict", "python/capwalk", "python/tests"];
-    start("python: types", run(&sources))?;
-    let mut tests = run(&[
-        "-m",
+    let types = ["mypy", "--strict", "python/capwalk", "python/tests"];
+    check("types", &root(), &types)?;
+    let tests = ["pytest", "-q", "-rs", "--durations=10", "python/tests"];
+    check("tests", &root(), &tests)?;
+    // Examples in docstrings, but of what is not installed.
+    let examples = [
         "pytest",
         "-q",
-        "-rs",
-        "--durations=10",
-        "python/tests",
-    ]);
-    tests.envs(vulkan::for_tests());
-    if tier == Tier::Thorough {
-        tests.env("CAPWALK_THOROUGH", "1");
-    }
-    start("python: tests", tests)?;
-    // Examples in docstrings, but of what is not installed.
-    let examples = ["--doctest-modules", "--doctest-ignore-import-errors"];
-    let mut doctest = run(&["-m", "pytest", "-q", "--pyargs", "capwalk"]);
-    doctest.args(examples).current_dir(&folder);
-    start("python: examples in docstrings", doctest)?;
+        "--pyargs",
+        "capwalk",
+        "--doctest-modules",
+        "--doctest-ignore-import-errors",
+    ];
+    check("examples in docstrings", folder, &examples)?;
     if !is_ci() {
         return Ok(());
     }
+    let pages = target().join("site");
+    let pages = pages.to_string_lossy();
     let build = [
-        "-m",
         "sphinx",
         "-q",
         "-W",
@@ -118,10 +133,9 @@ pub fn test(tier: Tier) -> Result<()> {
         "-c",
         "docs/site",
         "docs",
+        &*pages,
     ];
-    let mut site = run(&build);
-    site.arg(target().join("site"));
-    start("python: documentation", site)
+    check("documentation", &root(), &build)
 }
 
 /// The package and the module beside it, as an installation has them.

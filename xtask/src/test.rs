@@ -2,6 +2,7 @@
 //! with `--thorough` also what takes too long for every change.
 
 use std::process::Stdio;
+use std::thread;
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
@@ -44,8 +45,8 @@ const STEPS: [(&str, Tier, Step); 8] = [
     ("lints", Tier::Quick, |_| lints()),
     ("packages", Tier::Change, |_| package::run(false)),
     ("documentation", Tier::Change, |_| documentation()),
+    ("build", Tier::Change, |_| build()),
     ("tests", Tier::Quick, tests),
-    ("python", Tier::Change, python::test),
     ("soak", Tier::Thorough, |_| soak::run(&["600".into()])),
 ];
 
@@ -81,18 +82,25 @@ fn documentation() -> Result<()> {
     start("documentation", doc)
 }
 
-/// All tests, without what examples and benchmarks are built for; of the quick tier unit tests, without
-/// a GPU, and a few phenomena.
+/// Builds what all tests need, those of Python too, without what examples and benchmarks are built for.
+fn build() -> Result<()> {
+    let mut build = cargo(&["build", "--lib", "--bins", "--tests"]);
+    build.args(EVERYTHING);
+    start("build", build)
+}
+
+/// All tests, Python's beside those of Rust, which leave a fifth of two cores idle; of the quick tier unit
+/// tests, without a GPU, and a few phenomena.
 fn tests(tier: Tier) -> Result<()> {
     if tier >= Tier::Change {
-        let test = |what: &[&str]| {
-            let mut test = cargo(&["test", "--no-fail-fast"]);
-            test.args(what).args(EVERYTHING);
-            test.envs(vulkan::for_tests());
-            test
-        };
-        start("tests", test(&["--lib", "--bins", "--tests"]))?;
-        return start("examples in documentation", test(&["--doc"]));
+        return thread::scope(|scope| {
+            let python = scope.spawn(|| python::test(tier));
+            let rust = rust_tests();
+            let python = python
+                .join()
+                .expect("the thread of Python's tests panicked");
+            rust.and(python)
+        });
     }
     let mut units = cargo(&["test", "--lib", "--bins"]);
     units.args(EVERYTHING).envs(vulkan::none());
@@ -100,6 +108,17 @@ fn tests(tier: Tier) -> Result<()> {
     let mut phenomena = cargo(&["test", "--test", "phenomena"]);
     phenomena.args(EVERYTHING).arg("--").args(FEW_PHENOMENA);
     start("phenomena", phenomena)
+}
+
+fn rust_tests() -> Result<()> {
+    let test = |what: &[&str]| {
+        let mut test = cargo(&["test", "--no-fail-fast"]);
+        test.args(what).args(EVERYTHING);
+        test.envs(vulkan::for_tests());
+        test
+    };
+    start("tests", test(&["--lib", "--bins", "--tests"]))?;
+    start("examples in documentation", test(&["--doc"]))
 }
 
 /// A step that needs a component of the toolchain; says so and goes on where
