@@ -56,7 +56,7 @@ def bunny(rings: int = 132, sides: int = 266) -> tuple[np.ndarray, np.ndarray]:
 def scene(look_at: Callable[..., Any], place: Callable[..., Any], shape: Any) -> dict[str, Any]:
     """What both renderers load; `place` turns about x by degrees, scales, then moves."""
     film = {"type": "hdrfilm", "width": 40, "height": 40, "rfilter": {"type": "box"}}
-    lamp = {"type": "area", "radiance": {"type": "rgb", "value": 14.0}}
+    emitter = {"type": "area", "radiance": {"type": "rgb", "value": 14.0}}
     views = {
         name: {"type": "perspective", "fov": 28, "to_world": look_at(origin), "film": film}
         for name, origin in VIEWS.items()
@@ -67,7 +67,7 @@ def scene(look_at: Callable[..., Any], place: Callable[..., Any], shape: Any) ->
         "integrator": {"type": "direct"},
         "floor": {"type": "rectangle", "to_world": place(-90, 6, [0, 0, 0]), "bsdf": GREY},
         "bunny": shape,
-        "lamp": {"type": "rectangle", "to_world": place(90, 0.8, [1, 4, 1]), "emitter": lamp},
+        "lamp": {"type": "rectangle", "to_world": place(90, 0.8, [1, 4, 1]), "emitter": emitter},
         "sky": {"type": "constant", "radiance": {"type": "rgb", "value": 0.25}},
     }
 

@@ -122,15 +122,15 @@ mod tests {
     /// From in front, rays find an emitter in its ceiling wherever brute force finds the emitter alone,
     /// and the ceiling around it, whichever of the two comes first in the scene.
     #[test]
-    fn lamps_are_in_front_of_their_ceilings() {
+    fn emitters_are_in_front_of_their_ceilings() {
         let lit = capwalk_scene::builtin::scene("leaf").expect("built in");
-        let lamp = lit.emitters[0].shape().expect("a lamp");
+        let emitter = lit.emitters[0].shape().expect("an emitter");
         for others in 0..2 {
             // The ceiling takes the place of another shape, before the emitter or behind it.
             let mut scene = lit.clone();
-            let places = (0..scene.shapes.len()).filter(|&i| i != lamp.0 as usize);
+            let places = (0..scene.shapes.len()).filter(|&i| i != emitter.0 as usize);
             let place = places.clone().nth(others).expect("two other shapes");
-            let own = scene.shape(lamp).mesh.clone();
+            let own = scene.shape(emitter).mesh.clone();
             let (low, high) = own.bounds();
             let middle = (low + high) * 0.5;
             let ceiling = &mut Arc::make_mut(&mut scene.shapes[place]).mesh;
@@ -151,9 +151,9 @@ mod tests {
                     assert_eq!(expected, None);
                     continue;
                 };
-                let is_lamp = accel.shape_of(&hit) == lamp;
-                assert_eq!(is_lamp, expected.is_some(), "{ray:?}");
-                found[usize::from(is_lamp)] += 1;
+                let is_emitter = accel.shape_of(&hit) == emitter;
+                assert_eq!(is_emitter, expected.is_some(), "{ray:?}");
+                found[usize::from(is_emitter)] += 1;
             }
             assert!(found.into_iter().all(|count| count > 20), "{found:?}");
         }

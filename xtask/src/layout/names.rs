@@ -103,11 +103,14 @@ mod tests {
             ("lib.rs", "mod a; mod b;"),
             (
                 "a.rs",
-                "pub(crate) struct Lamp; struct Own; pub fn lamp() {}",
+                "pub(crate) struct Emitter; struct Own; pub fn emitter() {}",
             ),
-            ("b.rs", "pub enum Lamp {} pub struct Own; pub fn lamp() {}"),
+            (
+                "b.rs",
+                "pub enum Emitter {} pub struct Own; pub fn emitter() {}",
+            ),
         ]);
-        assert_eq!(names(types(&twice)), ["Lamp"]);
+        assert_eq!(names(types(&twice)), ["Emitter"]);
     }
 
     /// What a crate keeps to itself may have a name that another has too.

@@ -194,7 +194,7 @@ fn forward_and_reverse_agree_within_their_errors() {
 
 /// An image is the best one for itself: the derivative of the square is zero
 /// on average over seeds. It would not be if image and gradient shared their
-/// random numbers: by 12 of its standard errors, for the lamp.
+/// random numbers: by 12 of its standard errors, for the emitter.
 #[test]
 fn an_image_is_the_best_one_for_itself() {
     let capwalk = Capwalk::new("backward_minimum");
@@ -230,7 +230,7 @@ fn an_image_is_the_best_one_for_itself() {
     }
 }
 
-/// Against a brighter lamp the loss and its gradient are known: images are
+/// Against a brighter emitter the loss and its gradient are known: images are
 /// linear in radiance.
 #[test]
 fn losses_and_their_gradients() {

@@ -50,7 +50,7 @@ fn arrays_of(path: &Path) -> Arrays {
 #[test]
 fn hidden_numbers_are_found() {
     let capwalk = Capwalk::new("optimize_found");
-    let job = fs::read_to_string(examples().join("lamp_and_leaf.toml")).expect("the example");
+    let job = fs::read_to_string(examples().join("leaf_and_floor.toml")).expect("the example");
     let documented = fs::read_to_string(examples().join("../../docs/optimize.md")).expect("a page");
     let documented = documented.split("```toml\n").nth(1).expect("an example");
     let documented = documented.split("```").next().expect("its end");

@@ -133,7 +133,7 @@ fn crossing_surfaces() {
     agree_in_both_modes("crossing", scene, 3);
 }
 
-/// An environment, and no lamp.
+/// An environment, and no emitter.
 #[test]
 fn constant_light() {
     let mut scene = visible_cube();

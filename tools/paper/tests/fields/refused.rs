@@ -12,7 +12,7 @@ use capwalk_scene::*;
 
 /// Fields on triangles have no images, flat or not; who is told so is told what has.
 #[test]
-fn a_lamp_that_moves_in_a_flat_mirror() {
+fn an_emitter_that_moves_in_a_flat_mirror() {
     let mut scene = mirror_floor();
     scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     for name in ["lamp.translate.x", "sensor.translate.x", "floor.rotate.x"] {
