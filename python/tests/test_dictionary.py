@@ -170,12 +170,12 @@ def test_bitmaps_are_arrays() -> None:
 
 
 def test_files_are_found(tmp_path: Path) -> None:
-    cw.render(cw.load_dict(scene()), spp=1).save(tmp_path / "a $picture & more.exr")
-    texture = {"type": "bitmap", "filename": "a $picture & more.exr"}
+    cw.render(cw.load_dict(scene()), spp=1).save(tmp_path / "a $image & more.exr")
+    texture = {"type": "bitmap", "filename": "a $image & more.exr"}
     paint = {"type": "diffuse", "reflectance": texture}
     parts = scene(roof={"type": "rectangle", "bsdf": paint})
     one = cw.load_dict(parts, folder=tmp_path)
-    texture["filename"] = tmp_path / "a $picture & more.exr"  # type: ignore[assignment]
+    texture["filename"] = tmp_path / "a $image & more.exr"  # type: ignore[assignment]
     other = cw.load_dict({"resources": {"type": "resources", "path": str(tmp_path)}, **parts})
     assert same(one, other)
 

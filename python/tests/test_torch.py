@@ -90,17 +90,17 @@ def test_forward_mode_is_gradient(leaf: cw.Scene) -> None:
         return capwalk.torch.render(leaf, {**params, LEAF: positions}, spp=4, seed=SEED)
 
     expected = cw.gradient(leaf, "leaf.translate.x", spp=4, seed=SEED_GRAD)
-    value, slope = torch.func.jvp(image, (params[LEAF],), (velocity,))
+    value, derivative = torch.func.jvp(image, (params[LEAF],), (velocity,))
     assert np.array_equal(value, cw.render(leaf, spp=4, seed=SEED))
-    assert np.array_equal(slope, expected)
+    assert np.array_equal(derivative, expected)
     with torch.autograd.forward_ad.dual_level():
         # Also where reverse mode records.
         params[LEAF].requires_grad_()
         dual = image(torch.autograd.forward_ad.make_dual(params[LEAF], velocity))
-        slope = torch.autograd.forward_ad.unpack_dual(dual).tangent
-        assert np.array_equal(slope.detach(), expected)
-    _, slope = torch.func.jvp(image, (params[LEAF].detach(),), (0 * velocity,))
-    assert not slope.any()
+        derivative = torch.autograd.forward_ad.unpack_dual(dual).tangent
+        assert np.array_equal(derivative.detach(), expected)
+    _, derivative = torch.func.jvp(image, (params[LEAF].detach(),), (0 * velocity,))
+    assert not derivative.any()
 
 
 def test_forward_is_reverse(leaf: cw.Scene) -> None:
@@ -115,10 +115,10 @@ def test_forward_is_reverse(leaf: cw.Scene) -> None:
         return capwalk.torch.render(leaf, dict(pairs), **options)
 
     values = tuple(params.values())
-    _, slope = torch.func.jvp(image, values, velocities)
+    _, derivative = torch.func.jvp(image, values, velocities)
     _, pull = torch.func.vjp(image, *values)
     gradients = pull(adjoint())
-    forward = (adjoint() * slope).sum()
+    forward = (adjoint() * derivative).sum()
     reverse = sum((g * v).sum() for g, v in zip(gradients, velocities))
     assert torch.isclose(forward, reverse, rtol=1e-9)
 
@@ -128,7 +128,7 @@ def test_forward_is_reverse(leaf: cw.Scene) -> None:
     def pushed(*velocities: torch.Tensor) -> torch.Tensor:
         return (adjoint() * torch.func.jvp(image, values, velocities)[1]).sum()
 
-    assert torch.equal(torch.func.grad(pulled)(adjoint()), slope)
+    assert torch.equal(torch.func.grad(pulled)(adjoint()), derivative)
     assert torch.equal(torch.func.jvp(pull, (adjoint(),), (2 * adjoint(),))[1][0], 2 * gradients[0])
     for one, other in zip(torch.func.grad(pushed, (0, 1))(*velocities), gradients):
         assert torch.equal(one, other)
@@ -283,8 +283,8 @@ def test_a_rotation_vector_turns_the_sensor(leaf: cw.Scene) -> None:
     value, pull = torch.func.vjp(image, torch.tensor(rotation))
     (gradient,) = pull(adjoint())
     assert np.allclose(gradient, expected, rtol=1e-12)
-    _, slope = torch.func.jvp(image, (torch.tensor(rotation),), (torch.tensor(velocity),))
-    assert np.isclose((adjoint() * slope).sum(), expected @ velocity, rtol=1e-9)
+    _, derivative = torch.func.jvp(image, (torch.tensor(rotation),), (torch.tensor(velocity),))
+    assert np.isclose((adjoint() * derivative).sum(), expected @ velocity, rtol=1e-9)
 
 
 def test_normals_are_made_unit(tmp_path: Path) -> None:

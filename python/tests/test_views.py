@@ -28,10 +28,10 @@ def test_sensors(two: cw.Scene) -> None:
     assert image.value.shape == (10, 20, 3)
     assert np.array_equal(image.value, cw.render(two, sensor=1, spp=8).value)
     assert cw.render(two).value.shape == (18, 24, 3)
-    slope = cw.gradient(two, "box.translate.x", sensor="left", method="walk", max_angle=10)
+    derivative = cw.gradient(two, "box.translate.x", sensor="left", method="walk", max_angle=10)
     ones = np.ones((10, 20, 3))
     gradients = cw.backward(two, ones, ["box.positions", "left.to_world"], sensor="left", seed=0)
-    assert slope.gradient.shape == (10, 20, 3) and gradients["left.to_world"].any()
+    assert derivative.gradient.shape == (10, 20, 3) and gradients["left.to_world"].any()
     with pytest.raises(cw.ArgumentError, match="expected 24 x 18"):
         cw.backward(two, ones)
 

@@ -196,8 +196,8 @@ def integrator_class() -> Any:
             if not along:
                 width, height = (int(n) for n in view.sensor.film().crop_size())
                 return view.image(np.zeros((height, width, 3)))
-            slope = gradient(view.scene, along, **view.sampling(seed, spp), **self._how)
-            return view.image(slope.gradient)
+            derivative = gradient(view.scene, along, **view.sampling(seed, spp), **self._how)
+            return view.image(derivative.gradient)
 
         def render_backward(
             self,
