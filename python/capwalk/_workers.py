@@ -63,10 +63,10 @@ class Workers(ABC):
         asked = checked(scene, options, threads=self._threads)
         work = [(direction(along), asked)]
         [result] = self._done("gradient", scene, work, options)
-        value, gradient, chosen, statistics, _ = result
+        (value, value_stderr), (gradient, stderr), chosen, statistics, _ = result
         warn_of(statistics)
-        method, files = Method(*chosen), tuple(scene._files)
-        return GradientImage(*gradient, *value, method, statistics, _files=files)
+        made, files = Method(*chosen), tuple(scene._files)
+        return GradientImage(gradient, stderr, value, value_stderr, made, statistics, _files=files)
 
     def backward(
         self,

@@ -398,7 +398,7 @@ def test_no_second_derivatives(leaf: cw.Scene) -> None:
         return capwalk.torch.render(leaf, {FLOOR: colour}, spp=2).square().sum()
 
     (once,) = torch.autograd.grad(loss(colour), colour, create_graph=True)
-    with pytest.raises(cw.Refused, match=f"not differentiated again, here with respect to {FLOOR}"):
+    with pytest.raises(cw.Refused, match=f"not differentiated again, on_cpu with respect to {FLOOR}"):
         once.sum().backward()
     for second in (torch.func.hessian(loss), torch.func.jacrev(torch.func.grad(loss))):
         with pytest.raises(cw.Refused, match="again"):
@@ -473,14 +473,14 @@ def test_wrong_input(leaf: cw.Scene, case: int) -> None:
 @pytest.mark.skipif(not torch.cuda.is_available(), reason="there is no GPU")
 def test_devices(leaf: cw.Scene) -> None:
     """Tensors are moved, and what comes of them is moved back."""
-    here = tensors(leaf, LEAF, FLOOR)
-    there = {name: value.cuda().requires_grad_() for name, value in here.items()}
-    image = capwalk.torch.render(leaf, there, spp=2, seed=SEED)
+    on_cpu = tensors(leaf, LEAF, FLOOR)
+    on_gpu = {name: value.cuda().requires_grad_() for name, value in on_cpu.items()}
+    image = capwalk.torch.render(leaf, on_gpu, spp=2, seed=SEED)
     assert image.is_cuda
     assert np.array_equal(image.detach().cpu(), cw.render(leaf, spp=2, seed=SEED))
     image.sum().backward()
-    assert all(value.grad.is_cuda for value in there.values())
-    mixed = {LEAF: there[LEAF], FLOOR: there[FLOOR].cpu()}
+    assert all(value.grad.is_cuda for value in on_gpu.values())
+    mixed = {LEAF: on_gpu[LEAF], FLOOR: on_gpu[FLOOR].cpu()}
     with pytest.raises(cw.ArgumentError, match="several devices"):
         capwalk.torch.render(leaf, mixed)
 

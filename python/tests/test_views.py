@@ -92,8 +92,8 @@ def test_scenes_travel(two: cw.Scene) -> None:
     cw.traverse(two).update({"box.positions": two._values("box.positions") * 1.1})
     for other in (pickle.loads(pickle.dumps(two)), copy.copy(two), copy.deepcopy(two)):
         for sensor in (0, "left"):
-            here, there = (cw.render(each, sensor=sensor, spp=4) for each in (two, other))
-            assert np.array_equal(here.value, there.value)
+            original, copied = (cw.render(each, sensor=sensor, spp=4) for each in (two, other))
+            assert np.array_equal(original.value, copied.value)
     with pytest.raises(cw.Error, match="damaged: they are too few"):
         cw.Scene.from_bytes(b"?", "two")
 

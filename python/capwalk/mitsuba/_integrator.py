@@ -84,11 +84,11 @@ class _View:
                 variable = value.matrix if hasattr(value, "inverse_transpose") else value
                 if not dr.grad_enabled(variable):
                     continue
-                here = by_place.get((owner, key), [])
-                yield from ((number, variable) for number in here)
+                attached = by_place.get((owner, key), [])
+                yield from ((number, variable) for number in attached)
                 # Flat faces have their normals from the vertices.
                 follows = key == "vertex_normals" and dr.grad_enabled(values["vertex_positions"])
-                if not here and not follows:
+                if not attached and not follows:
                     raise ParameterError(
                         f"{path}.{key} has no derivative in capwalk; disable its gradient"
                     )
