@@ -13,7 +13,7 @@ use capwalk_scene::{Scene, ShapeId};
 const IN_PLANE: f64 = 1e-9;
 /// The most emitters times vertices for which the planes of emitters are searched for other
 /// surfaces. Beyond it all flat emitters count as flush, which costs rays time.
-const MOST_LOOKS: usize = 1 << 26;
+const MOST_COMPARISONS: usize = 1 << 26;
 
 /// The faces of these emitters, and the tree for their rays.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ impl FlushEmitters {
             .filter_map(|emitter| emitter.shape())
             .filter_map(|shape| Some((shape, Plane::of(&scene.shape(shape).mesh)?)));
         let shapes: Vec<(ShapeId, Plane)> = shapes.collect();
-        let is_affordable = shapes.len().saturating_mul(joined.positions.len()) <= MOST_LOOKS;
+        let is_affordable = shapes.len().saturating_mul(joined.positions.len()) <= MOST_COMPARISONS;
         let (mut mesh, mut faces) = (Mesh::default(), Vec::new());
         for (shape, plane) in &shapes {
             if is_affordable && !plane.has_others(*shape, joined, shape_of_face) {

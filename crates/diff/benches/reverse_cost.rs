@@ -94,7 +94,7 @@ fn once() -> Option<[usize; 2]> {
 type Way = fn(&Bench, u32) -> Statistics;
 
 const WAYS: [(&str, Way); 6] = [
-    ("picture", |bench, spp| {
+    ("image", |bench, spp| {
         render(
             &PreparedScene::new(bench.scene.clone()),
             &options(spp).sampling(),
@@ -160,11 +160,11 @@ impl Bench {
             .tangent(&scene, "ball.translate.x")
             .expect("a shape");
         let size = SIZE as usize;
-        let slopes = (0..size * size).map(|i| Rgb::splat((0.1 * i as f64).sin()));
+        let weights = (0..size * size).map(|i| Rgb::splat((0.1 * i as f64).sin()));
         let adjoint = Image {
             width: size,
             height: size,
-            pixels: slopes.collect(),
+            pixels: weights.collect(),
         };
         Self {
             scene,
@@ -189,7 +189,7 @@ impl Bench {
         println!("a mesh of {vertices} vertices, {SIZE} x {SIZE} pixels, one thread");
         println!(
             "{:38}{:>12}{:>10}{:>10}{:>16}{:>10}{:>10}",
-            "", "µs/sample", "/picture", "/forward", "queries/sample", "fixed, s", "peak, MiB"
+            "", "µs/sample", "/image", "/forward", "queries/sample", "fixed, s", "peak, MiB"
         );
         let sample = |i: usize| median(times[i].iter().map(|&(sample, _)| sample));
         for (i, (name, _)) in WAYS.iter().enumerate() {

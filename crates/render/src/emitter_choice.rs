@@ -128,8 +128,8 @@ mod tests {
             (-2.0, 100.0, true),
             (2.5, 0.0, true),
         ];
-        for (i, (height, radiance, looks_down)) in emitters.into_iter().enumerate() {
-            let turn = if looks_down {
+        for (i, (height, radiance, faces_down)) in emitters.into_iter().enumerate() {
+            let turn = if faces_down {
                 std::f64::consts::PI
             } else {
                 0.0

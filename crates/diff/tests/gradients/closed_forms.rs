@@ -81,7 +81,7 @@ fn exact(scene: &Scene, lit: Lit) -> f64 {
 
 /// The derivative of a closed form along a motion: its central difference, which
 /// has eight digits.
-fn slope(scene: &Scene, tangent: &Tangent, of: impl Fn(&Scene) -> f64) -> f64 {
+fn difference_of(scene: &Scene, tangent: &Tangent, of: impl Fn(&Scene) -> f64) -> f64 {
     const STEP: f64 = 1e-4;
     let [above, below] = [STEP, -STEP].map(|step| of(&scene.moved(tangent, step)));
     (above - below) / (2.0 * STEP)
@@ -106,7 +106,7 @@ fn meet_exact(scene: &Scene, points: &[Lit], names: &[&str], samples: u32, preci
                 value,
                 precision,
             );
-            let derivative = slope(scene, &tangent, |scene| exact(scene, lit));
+            let derivative = difference_of(scene, &tangent, |scene| exact(scene, lit));
             let moments = result.gradient;
             let title = format!("point {i}, {name}");
             equals(
@@ -161,7 +161,7 @@ fn a_rectangular_emitter() {
     meet_exact(&scene, &three_points(), &others, 20_000, 0.02);
 }
 
-/// With so many edges that they are boundaries of the field, not flux. Below the
+/// With so many edges that they are boundaries of the field: no emitter-edge term. Below the
 /// middle of a true disk E = π L r² / (r² + h²).
 #[test]
 fn a_disk_emitter() {
@@ -179,7 +179,8 @@ fn a_disk_emitter() {
     let e = PI * radius * radius / squared;
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-3 * b.abs(), "{a} {b}");
     near(exact(&scene, below), e);
-    let along = |name: &str| slope(&scene, &tangent(&scene, name), |scene| exact(scene, below));
+    let along =
+        |name: &str| difference_of(&scene, &tangent(&scene, name), |scene| exact(scene, below));
     near(along("lamp.scale"), 2.0 * e * height * height / squared);
     near(along("lamp.translate.z"), -2.0 * e * height / squared);
 
@@ -363,12 +364,12 @@ fn form_factors_of_parallel_squares() {
         }
         let [error, change_error] = errors.map(f64::sqrt);
         equals("form factor", value, error, factor(0.0, 0.0, 0.0), 2e-3);
-        let slope = (factor(dx, dy, dz) - factor(-dx, -dy, -dz)) / (2.0 * STEP);
+        let derivative = (factor(dx, dy, dz) - factor(-dx, -dy, -dz)) / (2.0 * STEP);
         equals(
             &format!("form factor, {axis}"),
             change,
             change_error,
-            slope,
+            derivative,
             8e-3,
         );
     }

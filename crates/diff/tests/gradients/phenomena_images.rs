@@ -147,11 +147,11 @@ fn emitters_on_either_side_of_a_pane() {
         pane
     });
     for (id, x, radiance) in [("first", 2.0, 10.0), ("second", -2.0, 3.0)] {
-        let emitter = upright(x, -FRAC_PI_2 * x.signum()) * Affine::scale(v(0.5, 0.5, 1.0));
+        let place = upright(x, -FRAC_PI_2 * x.signum()) * Affine::scale(v(0.5, 0.5, 1.0));
         add(
             &mut scene,
             id,
-            rectangle(emitter).0,
+            rectangle(place).0,
             ShadingNormals::Face,
             0.0,
         );

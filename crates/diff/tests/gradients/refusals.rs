@@ -192,9 +192,9 @@ fn numbers_without_a_derivative() {
     }
 }
 
-/// Lines where textures jump are boundaries, if there are not too many of them.
+/// Lines where textures are discontinuous are boundaries, if there are not too many of them.
 #[test]
-fn motion_beside_textures_that_jump() {
+fn motion_beside_discontinuous_textures() {
     for (squares, method, why) in [
         (4.0, Method::Walk, ""),
         (4.0, Method::EDGES, ""),
@@ -312,7 +312,7 @@ fn collapsed_texture_coordinates_say_nothing() {
     );
 }
 
-/// No steps make a field that jumps (paper, Section 5.1), no angle makes none.
+/// No steps make a discontinuous field (paper, Section 5.1), no angle makes none.
 #[test]
 fn walks_without_steps_or_reach() {
     let scene = mirror_floor();

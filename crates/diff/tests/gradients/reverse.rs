@@ -59,7 +59,7 @@ fn smooth_ball() {
     agree_in_both_modes("ball, indirect", scene, 4);
 }
 
-/// Normals given with the mesh, a box filter with its flux through borders.
+/// Normals given with the mesh, a box filter with its pixel-border term.
 #[test]
 fn given_normals() {
     let mut scene = visible_ball(Filter::Box);

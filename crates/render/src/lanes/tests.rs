@@ -169,16 +169,16 @@ fn two_sided(mut scene: Scene) -> Scene {
     scene
 }
 
-/// With a picture on all surfaces, both sides of them, normals at vertices, points that are not
+/// With a texture on all surfaces, both sides of them, normals at vertices, points that are not
 /// independent, filters with weights, and an emitter that is wide where it is near.
 #[test]
 fn lanes_sample_other_surfaces() {
     let room = || scene("box-room", path(Some(4)));
     samples_are_those_of_the_tracer("both sides", two_sided(room()));
-    let mut pictures = painted(with_ball(room()));
-    pictures.settings.sampler = SamplerKind::Sobol;
-    pictures.film.filter = Filter::Gaussian { stddev: 0.5 };
-    samples_are_those_of_the_tracer("pictures", pictures);
+    let mut textured = painted(with_ball(room()));
+    textured.settings.sampler = SamplerKind::Sobol;
+    textured.film.filter = Filter::Gaussian { stddev: 0.5 };
+    samples_are_those_of_the_tracer("textured", textured);
     let mut wide = scene("box-room", direct(false));
     let emitter = wide.shapes.iter_mut().find(|shape| shape.emitter.is_some());
     let mesh = &mut std::sync::Arc::make_mut(emitter.expect("an emitter")).mesh;

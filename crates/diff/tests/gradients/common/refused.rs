@@ -42,7 +42,7 @@ pub fn mirror_floor() -> Scene {
     scene
 }
 
-/// A floor on which a texture jumps between so many squares, an emitter above it, and few pixels.
+/// A floor with a checkerboard of so many squares, an emitter above it, and few pixels.
 pub fn checkered_floor(squares: f64) -> Scene {
     let mut scene = shadow_stage();
     (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
