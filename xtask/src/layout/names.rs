@@ -103,14 +103,11 @@ mod tests {
             ("lib.rs", "mod a; mod b;"),
             (
                 "a.rs",
-                "pub(crate) struct Emitter; struct Own; pub fn emitter() {}",
+                "pub(crate) struct Twin; struct Own; pub fn twin() {}",
             ),
-            (
-                "b.rs",
-                "pub enum Emitter {} pub struct Own; pub fn emitter() {}",
-            ),
+            ("b.rs", "pub enum Twin {} pub struct Own; pub fn twin() {}"),
         ]);
-        assert_eq!(names(types(&twice)), ["Emitter"]);
+        assert_eq!(names(types(&twice)), ["Twin"]);
     }
 
     /// What a crate keeps to itself may have a name that another has too.

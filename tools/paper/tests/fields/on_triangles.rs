@@ -54,7 +54,7 @@ fn few_pixels() -> Case {
 
 /// A shadow alone, by one step and by two.
 #[test]
-fn outlines_inside_one_triangle() {
+fn silhouettes_inside_one_triangle() {
     for steps in [1, 2] {
         let walk = WalkSettings {
             steps,
@@ -79,7 +79,7 @@ fn everything_moves_under_one_triangle() {
 
 /// The shadow's border crosses the emitter's border and its diagonal.
 #[test]
-fn outlines_cross_borders() {
+fn silhouettes_cross_borders() {
     let case = Case {
         gradient_spp: 5000,
         reference_spp: 5000,

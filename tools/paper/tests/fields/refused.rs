@@ -65,9 +65,9 @@ fn warped_areas_under_parallel_rays() {
     assert!(refusal.to_string().contains("orthographic"), "{refusal}");
 }
 
-/// None of these fields knows the lines where textures jump.
+/// None of these fields knows the lines where textures are discontinuous.
 #[test]
-fn motion_beside_textures_that_jump() {
+fn motion_beside_discontinuous_textures() {
     let scene = checkered_floor(4.0);
     let moves = tangent(&scene, "lamp.translate.x");
     for (method, why) in [
