@@ -1,5 +1,5 @@
 """Renders a scene with Mitsuba 3 into a golden image: what capwalk's own
-pictures are tested against where there is no Mitsuba.
+images are tested against where there is no Mitsuba.
 
 usage: golden.py SCENE.xml GOLDEN.npz SPP SEEDS
 
@@ -7,7 +7,7 @@ Mitsuba renders the scene SEEDS times with SPP samples per pixel. The file has,
 at one channel per pixel (the mosaic of parity.py):
 
 * `mean`, rounded to twelve bits, which deflate then finds short;
-* `variance` of that mean: from the spread of the pictures, and from rounding;
+* `variance` of that mean: from the spread of the images, and from rounding;
 * in `metadata`: the sample count, Mitsuba's version, and `correlation`: how many
   times larger the variance of a sum over a block of pixels is than the sum of
   their variances. A sample counts in several pixels under a wide filter.
@@ -18,7 +18,7 @@ import sys
 import mitsuba as mi
 import numpy as np
 
-from parity import around, mitsuba_pictures, mosaic
+from parity import around, mitsuba_images, mosaic
 
 MEAN_BITS = 12
 VARIANCE_BITS = 7
@@ -31,33 +31,33 @@ def rounded(numbers, bits):
     return np.ldexp(np.round(np.ldexp(fraction, bits)), exponent - bits).astype(np.float32)
 
 
-def block_sums(picture):
+def block_sums(image):
     """Sums over blocks of BLOCK by BLOCK pixels; what is left at the borders is
     left out."""
-    h, w = (side // BLOCK for side in picture.shape)
-    whole = picture[: h * BLOCK, : w * BLOCK]
+    h, w = (side // BLOCK for side in image.shape)
+    whole = image[: h * BLOCK, : w * BLOCK]
     return whole.reshape(h, BLOCK, w, BLOCK).sum(axis=(1, 3))
 
 
-def correlation(pictures, variance):
+def correlation(images, variance):
     """The mean over blocks; each pixel in units of the noise around it."""
     scale = np.sqrt(around(variance) + 1e-30)
-    weighted = (pictures - pictures.mean(axis=0)) / scale
-    of_sums = np.stack([block_sums(picture) for picture in weighted]).var(axis=0, ddof=1)
+    weighted = (images - images.mean(axis=0)) / scale
+    of_sums = np.stack([block_sums(image) for image in weighted]).var(axis=0, ddof=1)
     sums = block_sums(weighted.var(axis=0, ddof=1))
     return max(1.0, float(of_sums.sum() / (sums.sum() + 1e-30)))
 
 
 def main():
     scene_file, golden_file, spp, seeds = sys.argv[1:]
-    pictures = mitsuba_pictures(scene_file, int(spp), int(seeds))
-    pictures = np.stack([mosaic(picture) for picture in pictures])
-    mean = pictures.mean(axis=0)
-    variance = pictures.var(axis=0, ddof=1) / len(pictures)
+    images = mitsuba_images(scene_file, int(spp), int(seeds))
+    images = np.stack([mosaic(image) for image in images])
+    mean = images.mean(axis=0)
+    variance = images.var(axis=0, ddof=1) / len(images)
     metadata = {
         "spp": int(spp) * int(seeds),
         "mitsuba": mi.__version__,
-        "correlation": f"{correlation(pictures, variance):.2f}",
+        "correlation": f"{correlation(images, variance):.2f}",
     }
     # A number of n bits is off by up to 2^-n of itself, evenly.
     variance = variance + (mean * 2.0**-MEAN_BITS) ** 2 / 3.0

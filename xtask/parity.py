@@ -3,13 +3,13 @@
 usage: parity.py SCENE.xml CAPWALK.npz SPP SEEDS FAILURE_FOLDER
 
 Mitsuba renders the scene SEEDS times with SPP samples per pixel; its standard
-error comes from the spread of these pictures. Prints one JSON object. If the
-pictures differ, writes both, their difference and z as EXR.
+error comes from the spread of these images. Prints one JSON object. If the
+images differ, writes both, their difference and z as EXR.
 
 Tests, all at one channel per pixel (a fixed mosaic, since channels of a pixel
 share their samples):
 
-* z of each pixel, two-sided, at a level of 0.01 for the whole picture after
+* z of each pixel, two-sided, at a level of 0.01 for the whole image after
   Sidak's correction; 99.75 % of the pixels must pass, as in Mitsuba's own
   test_renders.py. The variance is the larger of the pixel's own and that around
   it: a pixel that no sample of a rare event met states an error of zero.
@@ -28,29 +28,29 @@ import numpy as np
 
 SIGNIFICANT = 4.0
 PASSING_PIXELS = 0.9975
-PICTURE_LEVEL = 0.01
+IMAGE_LEVEL = 0.01
 
 
-def mitsuba_pictures(scene_file, spp, seeds):
+def mitsuba_images(scene_file, spp, seeds):
     """Independent renderings of a scene, as (seed, height, width, channel)."""
     mi.set_variant("scalar_rgb")
     mi.set_log_level(mi.LogLevel.Error)
     scene = mi.load_file(scene_file)
     render = lambda seed: np.array(mi.render(scene, spp=spp, seed=1000 + seed))
-    pictures = np.stack([render(seed)[..., :3] for seed in range(seeds)])
-    return pictures.astype(np.float64)
+    images = np.stack([render(seed)[..., :3] for seed in range(seeds)])
+    return images.astype(np.float64)
 
 
-def mean_and_error(pictures):
+def mean_and_error(images):
     """Mean and standard error of independent renderings."""
-    seeds = len(pictures)
-    return pictures.mean(axis=0), pictures.std(axis=0, ddof=1) / math.sqrt(seeds)
+    seeds = len(images)
+    return images.mean(axis=0), images.std(axis=0, ddof=1) / math.sqrt(seeds)
 
 
-def mosaic(picture):
+def mosaic(image):
     """Channel (x + y) mod 3 of each pixel."""
-    y, x = np.indices(picture.shape[:2])
-    return np.take_along_axis(picture, ((x + y) % 3)[..., None], axis=2)[..., 0]
+    y, x = np.indices(image.shape[:2])
+    return np.take_along_axis(image, ((x + y) % 3)[..., None], axis=2)[..., 0]
 
 
 def around(variance):
@@ -75,7 +75,7 @@ def compare(ours, ours_error, theirs, theirs_error):
     d, v = difference[noisy], variance[noisy]
     z = np.zeros_like(difference)
     z[noisy] = d / np.sqrt(np.maximum(v, local))
-    level = 1.0 - (1.0 - PICTURE_LEVEL) ** (1.0 / max(d.size, 1))
+    level = 1.0 - (1.0 - IMAGE_LEVEL) ** (1.0 / max(d.size, 1))
     tails = np.array([math.erfc(abs(x) / math.sqrt(2.0)) for x in z[noisy]])
     passing = float(np.mean(tails > level)) if d.size else 1.0
     mean_z_squared = float((weight * d**2).sum() / (weight * v).sum())
@@ -104,7 +104,7 @@ def compare(ours, ours_error, theirs, theirs_error):
 def main():
     scene_file, capwalk_file, spp, seeds, folder = sys.argv[1:]
     ours = np.load(capwalk_file)
-    theirs, theirs_error = mean_and_error(mitsuba_pictures(scene_file, int(spp), int(seeds)))
+    theirs, theirs_error = mean_and_error(mitsuba_images(scene_file, int(spp), int(seeds)))
     if ours["value"].shape != theirs.shape:
         sys.exit(f"sizes differ: {ours['value'].shape} and {theirs.shape}")
     result, z = compare(
@@ -117,10 +117,10 @@ def main():
     if not result["right"]:
         folder = pathlib.Path(folder)
         folder.mkdir(parents=True, exist_ok=True)
-        pictures = {"capwalk": ours["value"], "mitsuba": theirs, "z": z}
-        pictures["difference"] = ours["value"] - theirs
-        for name, picture in pictures.items():
-            mi.Bitmap(picture.astype(np.float32)).write(str(folder / f"{name}.exr"))
+        images = {"capwalk": ours["value"], "mitsuba": theirs, "z": z}
+        images["difference"] = ours["value"] - theirs
+        for name, image in images.items():
+            mi.Bitmap(image.astype(np.float32)).write(str(folder / f"{name}.exr"))
     print(json.dumps(result))
 
 

@@ -2,7 +2,7 @@
 three views of 40 x 40 pixels: by capwalk in PyTorch, or by one of Mitsuba's integrators in a
 variant with derivatives.
 
-    python python/benchmarks/bunny.py [capwalk | MITSUBA_INTEGRATOR] [PICTURE.png]
+    python python/benchmarks/bunny.py [capwalk | MITSUBA_INTEGRATOR] [IMAGE.png]
 
 Prints the time of the first iteration and of the others, and how far off the bunny is."""
 
@@ -56,7 +56,7 @@ def bunny(rings: int = 132, sides: int = 266) -> tuple[np.ndarray, np.ndarray]:
 def scene(look_at: Callable[..., Any], place: Callable[..., Any], shape: Any) -> dict[str, Any]:
     """What both renderers load; `place` turns about x by degrees, scales, then moves."""
     film = {"type": "hdrfilm", "width": 40, "height": 40, "rfilter": {"type": "box"}}
-    lamp = {"type": "area", "radiance": {"type": "rgb", "value": 14.0}}
+    emitter = {"type": "area", "radiance": {"type": "rgb", "value": 14.0}}
     views = {
         name: {"type": "perspective", "fov": 28, "to_world": look_at(origin), "film": film}
         for name, origin in VIEWS.items()
@@ -67,7 +67,7 @@ def scene(look_at: Callable[..., Any], place: Callable[..., Any], shape: Any) ->
         "integrator": {"type": "direct"},
         "floor": {"type": "rectangle", "to_world": place(-90, 6, [0, 0, 0]), "bsdf": GREY},
         "bunny": shape,
-        "lamp": {"type": "rectangle", "to_world": place(90, 0.8, [1, 4, 1]), "emitter": lamp},
+        "lamp": {"type": "rectangle", "to_world": place(90, 0.8, [1, 4, 1]), "emitter": emitter},
         "sky": {"type": "constant", "radiance": {"type": "rgb", "value": 0.25}},
     }
 
@@ -127,8 +127,8 @@ def in_capwalk() -> tuple[list[float], dict[str, np.ndarray], list[np.ndarray]]:
         times.append(time.perf_counter() - started)
     with torch.no_grad():
         images = [render(found, view, 3000 + view, 64) for view in range(len(VIEWS))]
-    pictures = [image.numpy() for image in [*targets, *images]]
-    return times, {name: value.detach().numpy() for name, value in found.items()}, pictures
+    images = [image.numpy() for image in [*targets, *images]]
+    return times, {name: value.detach().numpy() for name, value in found.items()}, images
 
 
 def in_mitsuba(integrator: str) -> tuple[list[float], dict[str, np.ndarray], list[np.ndarray]]:
@@ -188,8 +188,8 @@ def in_mitsuba(integrator: str) -> tuple[list[float], dict[str, np.ndarray], lis
         dr.sync_thread()
         times.append(time.perf_counter() - started)
     images = [dr.detach(render(found, view, 3000 + view, 64)) for view in range(len(VIEWS))]
-    pictures = [np.array(image) for image in [*targets, *images]]
-    return times, {name: np.array(found[name]).ravel() for name in START}, pictures
+    images = [np.array(image) for image in [*targets, *images]]
+    return times, {name: np.array(found[name]).ravel() for name in START}, images
 
 
 def turned(vector: Any) -> np.ndarray:
@@ -202,22 +202,22 @@ def turned(vector: Any) -> np.ndarray:
 
 def main() -> None:
     which = sys.argv[1] if len(sys.argv) > 1 else "capwalk"
-    times, found, pictures = in_capwalk() if which == "capwalk" else in_mitsuba(which)
+    times, found, images = in_capwalk() if which == "capwalk" else in_mitsuba(which)
     rest = np.mean(times[1:])
     print(f"{which}: first iteration {times[0]:.2f} s, the others {rest:.3f} s each")
     vertices, _ = bunny()
     right = vertices @ turned(TRUTH["turn"]).T + TRUTH["shift"]
-    here = vertices @ turned(found["turn"]).T + found["shift"]
-    off = np.sqrt(np.mean(np.sum((here - right) ** 2, axis=1)))
+    reached = vertices @ turned(found["turn"]).T + found["shift"]
+    off = np.sqrt(np.mean(np.sum((reached - right) ** 2, axis=1)))
     size = np.linalg.norm(vertices.max(axis=0) - vertices.min(axis=0))
     colour = np.linalg.norm(found["colour"] - TRUTH["colour"]) / np.linalg.norm(TRUTH["colour"])
     print(f"  vertices off by {off / size:.2%} of the bunny's diagonal, colour by {colour:.2%}")
     if len(sys.argv) > 2:
         import capwalk as cw
 
-        rows = [np.concatenate(row, axis=1) for row in (pictures[:3], pictures[3:])]
+        rows = [np.concatenate(row, axis=1) for row in (images[:3], images[3:])]
         image = np.concatenate(rows, axis=0).astype(float)
-        cw.Picture(image, np.zeros_like(image), {}).save(sys.argv[2])
+        cw.Image(image, np.zeros_like(image), {}).save(sys.argv[2])
 
 
 if __name__ == "__main__":

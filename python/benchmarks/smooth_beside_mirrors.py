@@ -31,7 +31,7 @@ DIFFUSE = '<bsdf type="diffuse"><rgb name="reflectance" value="{}"/></bsdf>'
 MIRROR = '<bsdf type="conductor"><string name="material" value="none"/></bsdf>'
 METAL = '<bsdf type="roughconductor"><string name="material" value="none"/><float name="alpha" value="0.2"/></bsdf>'
 BLUE = DIFFUSE.format("0.2, 0.4, 0.7")
-LAMP = '<emitter type="area"><rgb name="radiance" value="40"/></emitter>'
+EMITTER = '<emitter type="area"><rgb name="radiance" value="40"/></emitter>'
 SKY = '<emitter type="constant"><rgb name="radiance" value="0.5, 0.65, 0.9"/></emitter>\n'
 
 
@@ -57,7 +57,7 @@ def ball(height: float = 0.8) -> str:
 
 
 GREY_FLOOR = floor(DIFFUSE.format("0.6, 0.6, 0.55"))
-LIGHT = shape("rectangle", "lamp", '<scale value="0.5"/><rotate x="1" angle="90"/><translate x="-1" y="5"/>', LAMP)
+LIGHT = shape("rectangle", "lamp", '<scale value="0.5"/><rotate x="1" angle="90"/><translate x="-1" y="5"/>', EMITTER)
 SIDE = wall("side", '<rotate y="1" angle="55"/>', '<translate x="-2.2" z="1.2"/>')
 PANE = shape(
     "rectangle",

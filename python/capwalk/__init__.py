@@ -15,7 +15,7 @@ from ._dictionary import load_dict
 from ._functions import backward, check, gradient, load_file, load_string, render
 from ._method import Method
 from ._parameters import SceneParameters, traverse
-from ._results import Check, Gradients, Picture, Slope
+from ._results import Check, GradientImage, Gradients, Image
 from ._steps import Adam, LargeSteps
 from ._transform import Transform
 from .errors import (
@@ -41,18 +41,18 @@ __all__ = [
     "DeviceError",
     "DeviceWarning",
     "Error",
+    "GradientImage",
     "Gradients",
+    "Image",
     "ImageError",
     "LargeSteps",
     "LoadError",
     "Method",
     "ParameterError",
-    "Picture",
     "Refused",
     "Scene",
     "SceneParameters",
     "SceneWarning",
-    "Slope",
     "Transform",
     "UnreliableWarning",
     "WorkerError",

@@ -43,8 +43,8 @@ class _Copy:
     def move(self, was: Scene, values: dict[str, Array]) -> None:
         """Goes over to what a scene would be with these values. A derivative that follows its
         image is there already."""
-        is_there = self.was is was and self.values.keys() == values.keys()
-        if not is_there or any((self.values[name] != values[name]).any() for name in values):
+        is_current = self.was is was and self.values.keys() == values.keys()
+        if not is_current or any((self.values[name] != values[name]).any() for name in values):
             self.was = None
             self.scene._restore(was, values)
             # Those who gave the values may change them.

@@ -15,7 +15,7 @@ from ._method import Method
 from ._numbers import Array, numbers
 from ._options import LARGEST_COUNT, check_names, checked, integer
 from ._progress import shown
-from ._results import Check, Gradients, Picture, Slope
+from ._results import Check, GradientImage, Gradients, Image
 from .errors import ArgumentError, DeviceWarning, SceneWarning, UnreliableWarning
 from .options import CheckOptions, GradientOptions, RenderOptions, Unpack
 
@@ -44,7 +44,7 @@ def load_string(text: str, folder: str | os.PathLike[str] = ".", /, **defines: o
     return warned(_capwalk.load_string(text, os.fspath(folder), _texts(defines)))
 
 
-def render(scene: Scene, **options: Unpack[RenderOptions]) -> Picture:
+def render(scene: Scene, **options: Unpack[RenderOptions]) -> Image:
     """The image of a scene with its standard errors.
 
     The same scene, ``spp`` and ``seed`` give the same bits on the same device, whatever ``threads``
@@ -62,10 +62,10 @@ def render(scene: Scene, **options: Unpack[RenderOptions]) -> Picture:
         (value, stderr), statistics, (device, remark) = _capwalk.render(scene, asked)
     warn_of(statistics)
     warn_of_device(remark)
-    return Picture(value, stderr, statistics, device, _files=tuple(scene._files))
+    return Image(value, stderr, statistics, device, _files=tuple(scene._files))
 
 
-def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> Slope:
+def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> GradientImage:
     """The derivative of the image along one direction (forward mode), without bias, with its
     standard errors.
 
@@ -85,11 +85,11 @@ def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> 
     with shown(options.get("progress"), "gradient") as told:
         asked = checked(scene, options, progress=told)
         found = _capwalk.gradient(scene, direction(along), asked)
-    value, slope, chosen, statistics, (device, remark) = found
+    value, gradient, chosen, statistics, (device, remark) = found
     warn_of(statistics)
     warn_of_device(remark)
     made, files = Method(*chosen), tuple(scene._files)
-    return Slope(*slope, *value, made, statistics, device, _files=files)
+    return GradientImage(*gradient, *value, made, statistics, device, _files=files)
 
 
 def backward(
@@ -143,14 +143,14 @@ def check(scene: Scene, along: Along, **options: Unpack[CheckOptions]) -> Check:
         reference_spp = integer("reference_spp", reference_spp, 1, LARGEST_COUNT)
     with shown(options.get("progress"), "check") as told:
         asked = checked(scene, options, progress=told)
-        slope, reference, found = _capwalk.check(
+        gradient, reference, found = _capwalk.check(
             scene, direction(along), asked, reference_spp, options.get("step")
         )
     warn_of(found["statistics"])
     warn_of(found["reference_statistics"])
     return Check(
-        gradient=slope[0],
-        stderr=slope[1],
+        gradient=gradient[0],
+        stderr=gradient[1],
         reference=reference[0],
         reference_stderr=reference[1],
         **found,

@@ -20,7 +20,7 @@ Files = tuple[os.PathLike[str], ...]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Picture:
+class Image:
     """An image and its standard errors. ``numpy.asarray(image)`` is its value."""
 
     value: Array
@@ -35,7 +35,7 @@ class Picture:
     """What the scene was read from."""
 
     def __repr__(self) -> str:
-        return f"<capwalk.Picture: {_described(self.value, self.stderr)}>"
+        return f"<capwalk.Image: {_described(self.value, self.stderr)}>"
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         return _as_array(self.value, dtype, copy)
@@ -56,7 +56,7 @@ class Picture:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Slope:
+class GradientImage:
     """The derivative of an image along one direction, and the image. ``numpy.asarray(derivative)``
     is the derivative."""
 
@@ -83,8 +83,8 @@ class Slope:
         described = _described(self.gradient, self.stderr)
         method = f"method {self.method.name}"
         if self.statistics["missing"] is None:
-            return f"<capwalk.Slope: {described}, {method}>"
-        return f"<capwalk.Slope: {described}, {method}, {self.statistics['missing_text']}>"
+            return f"<capwalk.GradientImage: {described}, {method}>"
+        return f"<capwalk.GradientImage: {described}, {method}, {self.statistics['missing_text']}>"
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         return _as_array(self.gradient, dtype, copy)

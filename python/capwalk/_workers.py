@@ -19,7 +19,7 @@ from ._numbers import Array, numbers
 from ._options import Options, check_names, checked, integer, sensor_number
 from ._parts import Asked, Job
 from ._progress import shown
-from ._results import Gradients, Picture, Slope
+from ._results import GradientImage, Gradients, Image
 from .errors import ArgumentError
 from .options import ImageOptions, PartsOptions, Sensor, ViewGradientsOptions, ViewsOptions, Unpack
 
@@ -42,31 +42,31 @@ class Workers(ABC):
         self._parts = integer("parts", parts, 1, MOST_PARTS)
         self._threads = integer("threads", threads, 1, 1024)
 
-    def render(self, scene: Scene, **options: Unpack[ImageOptions]) -> Picture:
+    def render(self, scene: Scene, **options: Unpack[ImageOptions]) -> Image:
         """The image of a scene with its standard errors, see :func:`capwalk.render`."""
         check_names("render", ImageOptions, options)
         asked = checked(scene, options, threads=self._threads)
         work: list[tuple[Asked, Options]] = [(None, asked)]
         [((value, stderr), statistics, _)] = self._done("render", scene, work, options)
         warn_of(statistics)
-        return Picture(value, stderr, statistics, _files=tuple(scene._files))
+        return Image(value, stderr, statistics, _files=tuple(scene._files))
 
     def gradient(
         self,
         scene: Scene,
         along: Along,
         **options: Unpack[PartsOptions],
-    ) -> Slope:
+    ) -> GradientImage:
         """The derivative of the image along one direction, see :func:`capwalk.gradient`. With
         ``method="auto"`` this process chooses the method first, on all of its cores."""
         check_names("gradient", PartsOptions, options)
         asked = checked(scene, options, threads=self._threads)
         work = [(direction(along), asked)]
         [result] = self._done("gradient", scene, work, options)
-        (value, value_stderr), (slope, stderr), chosen, statistics, _ = result
+        (value, value_stderr), (gradient, stderr), chosen, statistics, _ = result
         warn_of(statistics)
-        method, files = Method(*chosen), tuple(scene._files)
-        return Slope(slope, stderr, value, value_stderr, method, statistics, _files=files)
+        made, files = Method(*chosen), tuple(scene._files)
+        return GradientImage(gradient, stderr, value, value_stderr, made, statistics, _files=files)
 
     def backward(
         self,
@@ -91,7 +91,7 @@ class Workers(ABC):
         scene: Scene,
         sensors: Sequence[Sensor] | None = None,
         **options: Unpack[ViewsOptions],
-    ) -> list[Picture]:
+    ) -> list[Image]:
         """The images of several sensors, whose parts are all computed together.
 
         :param sensors: by number from 0 or by name; by default all of the scene's.
@@ -108,7 +108,7 @@ class Workers(ABC):
         warn_of(_together([statistics for _, statistics, _ in results]))
         files = tuple(scene._files)
         return [
-            Picture(value, stderr, statistics, _files=files)
+            Image(value, stderr, statistics, _files=files)
             for (value, stderr), statistics, _ in results
         ]
 

@@ -47,7 +47,7 @@ MIRROR = {
     "to_world": T().translate([0, 1, 3]).scale([3, 2, 1]),
     "bsdf": {"type": "conductor"},
 }
-# Behind the camera: floor, occluder and lamp, and the shadow, are seen in the mirror alone.
+# Behind the camera: floor, occluder and emitter, and the shadow, are seen in the mirror alone.
 BEHIND = {
     "occluder": {
         "type": "cube",

@@ -43,13 +43,13 @@ adam = cw.Adam(lr=0.03)
 found = {"shift": np.array([0.25, 0.1, -0.2]), "colour": np.array([0.5, 0.5, 0.5])}
 
 with capwalk.ray.Cluster() as cluster:
-    targets = [picture.value for picture in cluster.render_views(scene, spp=256, seed=1000)]
+    targets = [image.value for image in cluster.render_views(scene, spp=256, seed=1000)]
     for step in range(40):
         # What each machine has of the scene already is not sent again.
         params.update({POSITIONS: positions + found["shift"], COLOUR: found["colour"]})
         # The images and the gradient have random numbers of their own.
-        pictures = cluster.render_views(scene, spp=32, seed=2 * step)
-        adjoints = [2 * (image.value - target) for image, target in zip(pictures, targets)]
+        images = cluster.render_views(scene, spp=32, seed=2 * step)
+        adjoints = [2 * (image.value - target) for image, target in zip(images, targets)]
         gradients = cluster.backward_views(
             scene, adjoints, [POSITIONS, COLOUR], spp=32, seed=2 * step + 1
         )

@@ -35,7 +35,7 @@ def sensor(**parts: Any) -> Description:
 
 
 def scene(**parts: Any) -> Description:
-    """A ball over a floor under a lamp, with these parts in place of others or beside them."""
+    """A ball over a floor under an emitter, with these parts in place of others or beside them."""
     whole = {
         "type": "scene",
         "integrator": {"type": "path", "max_depth": 4},

@@ -40,10 +40,10 @@ NOT_BUILT = "this build of capwalk has no GPU support"
 def found() -> str | cw.DeviceError:
     """The name of what there is to run on, or why there is nothing."""
     try:
-        picture = cw.render(cw.load_file("leaf"), spp=1, device="gpu")
+        image = cw.render(cw.load_file("leaf"), spp=1, device="gpu")
     except cw.DeviceError as error:
         return error
-    return picture.device
+    return image.device
 
 
 @pytest.fixture
@@ -93,12 +93,12 @@ def test_auto_says_why_it_was_the_cpu(scene: cw.Scene, adapter: str) -> None:
     # Where there is software only, the CPU is what is meant: nothing to warn of.
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        picture = cw.render(scene, seed=3, device="auto")
+        image = cw.render(scene, seed=3, device="auto")
         glass = cw.render(cw.load_string(GLASS), spp=1, device="auto")
-    assert picture.device in ("cpu", adapter)
+    assert image.device in ("cpu", adapter)
     assert glass.device == "cpu"
-    if picture.device == "cpu":
-        assert np.array_equal(picture.value, cw.render(scene, seed=3).value)
+    if image.device == "cpu":
+        assert np.array_equal(image.value, cw.render(scene, seed=3).value)
     else:
         assert [warning.category for warning in caught] == [cw.DeviceWarning]
         assert "a dielectric" in str(caught[0].message) and caught[0].filename == __file__
@@ -107,9 +107,9 @@ def test_auto_says_why_it_was_the_cpu(scene: cw.Scene, adapter: str) -> None:
 def test_derivatives_by_colours_are_those_of_the_cpu(scene: cw.Scene, adapter: str) -> None:
     name = "floor.bsdf.reflectance.value"
     adjoint = np.random.default_rng(1).random((*cw.render(scene, spp=1).value.shape,))
-    slopes = [cw.gradient(scene, f"1*{name}", seed=3, device=device) for device in ("cpu", "gpu")]
-    assert [slope.device for slope in slopes] == ["cpu", adapter]
-    for cpu, gpu in [[slope.gradient for slope in slopes], [slope.stderr for slope in slopes]]:
+    images = [cw.gradient(scene, f"1*{name}", seed=3, device=device) for device in ("cpu", "gpu")]
+    assert [image.device for image in images] == ["cpu", adapter]
+    for cpu, gpu in [[image.gradient for image in images], [image.stderr for image in images]]:
         assert np.isclose(gpu, cpu, rtol=1e-3, atol=1e-4).mean() > 0.99
     found = [
         cw.backward(scene, adjoint, [name], seed=3, device=device) for device in ("cpu", "gpu")
@@ -118,7 +118,7 @@ def test_derivatives_by_colours_are_those_of_the_cpu(scene: cw.Scene, adapter: s
     cpu, gpu = (gradients[name] for gradients in found)
     assert np.allclose(gpu, cpu, rtol=1e-3) and not np.array_equal(gpu, cpu)
     # The same samples, backwards and forwards.
-    assert np.isclose(gpu.sum(), (adjoint * slopes[1].gradient).sum(), rtol=1e-4)
+    assert np.isclose(gpu.sum(), (adjoint * images[1].gradient).sum(), rtol=1e-4)
 
 
 def test_derivatives_by_what_moves_agree_with_the_cpu(scene: cw.Scene, adapter: str) -> None:
@@ -180,9 +180,9 @@ import capwalk as cw
 warnings.simplefilter("error")
 scene = cw.load_file("leaf")
 scene.resize(8, 6)
-picture = cw.render(scene, spp=2, device="auto")
-assert picture.device == "cpu"
-assert (picture.value == cw.render(scene, spp=2).value).all()
+image = cw.render(scene, spp=2, device="auto")
+assert image.device == "cpu"
+assert (image.value == cw.render(scene, spp=2).value).all()
 for attempt in range(2):
     try:
         cw.render(scene, spp=2, device="gpu")

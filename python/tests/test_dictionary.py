@@ -13,7 +13,7 @@ VIEW = cw.Transform().look_at(origin=[0, 3, 6], target=[0, 0.5, 0], up=[0, 1, 0]
 
 
 def scene(**parts: object) -> dict[str, Any]:
-    """A floor under a lamp, with these parts in place of others or beside them."""
+    """A floor under an emitter, with these parts in place of others or beside them."""
     return {
         "type": "scene",
         "integrator": {"type": "path", "max_depth": 3},
@@ -46,7 +46,7 @@ def xml(extra: str) -> str:
         return f'<transform name="to_world"><matrix value="{numbers}"/></transform>'
 
     floor = cw.Transform().rotate([1, 0, 0], -90).scale(4)
-    lamp = cw.Transform().translate([0, 5, 0]).rotate([1, 0, 0], 90)
+    emitter = cw.Transform().translate([0, 5, 0]).rotate([1, 0, 0], 90)
     return f"""<scene version="3.0.0">
     <integrator type="path"><integer name="max_depth" value="3"/></integrator>
     <sensor type="perspective" id="sensor"><float name="fov" value="40"/>{matrix(VIEW)}
@@ -55,7 +55,7 @@ def xml(extra: str) -> str:
         <sampler type="independent"><integer name="sample_count" value="8"/></sampler></sensor>
     <shape type="rectangle" id="floor">{matrix(floor)}
         <bsdf type="diffuse"><rgb name="reflectance" value="0.7, 0.5, 0.3"/></bsdf></shape>
-    <shape type="rectangle" id="lamp">{matrix(lamp)}
+    <shape type="rectangle" id="lamp">{matrix(emitter)}
         <emitter type="area"><rgb name="radiance" value="10"/></emitter></shape>
     {extra}</scene>"""
 
@@ -170,12 +170,12 @@ def test_bitmaps_are_arrays() -> None:
 
 
 def test_files_are_found(tmp_path: Path) -> None:
-    cw.render(cw.load_dict(scene()), spp=1).save(tmp_path / "a $picture & more.exr")
-    texture = {"type": "bitmap", "filename": "a $picture & more.exr"}
+    cw.render(cw.load_dict(scene()), spp=1).save(tmp_path / "a $image & more.exr")
+    texture = {"type": "bitmap", "filename": "a $image & more.exr"}
     paint = {"type": "diffuse", "reflectance": texture}
     parts = scene(roof={"type": "rectangle", "bsdf": paint})
     one = cw.load_dict(parts, folder=tmp_path)
-    texture["filename"] = tmp_path / "a $picture & more.exr"  # type: ignore[assignment]
+    texture["filename"] = tmp_path / "a $image & more.exr"  # type: ignore[assignment]
     other = cw.load_dict({"resources": {"type": "resources", "path": str(tmp_path)}, **parts})
     assert same(one, other)
 

@@ -10,16 +10,16 @@ import pytest
 
 
 def test_image_is_an_array_with_errors(scene: cw.Scene) -> None:
-    picture = cw.render(scene, seed=3)
-    assert picture.value.shape == picture.stderr.shape == (18, 24, 3)
-    assert np.array_equal(np.asarray(picture), picture.value)
-    assert np.asarray(picture, dtype=np.float32).dtype == np.float32
-    assert picture.statistics["samples"] == 16 * 18 * 24
+    image = cw.render(scene, seed=3)
+    assert image.value.shape == image.stderr.shape == (18, 24, 3)
+    assert np.array_equal(np.asarray(image), image.value)
+    assert np.asarray(image, dtype=np.float32).dtype == np.float32
+    assert image.statistics["samples"] == 16 * 18 * 24
     # Two images differ by their errors.
     other = cw.render(scene, seed=4, spp=64)
-    error = np.hypot(picture.stderr, other.stderr)
+    error = np.hypot(image.stderr, other.stderr)
     lit = error > 0
-    z = (picture.value - other.value)[lit] / error[lit]
+    z = (image.value - other.value)[lit] / error[lit]
     assert 0.5 < np.mean(z**2) < 2.0
 
 
@@ -78,9 +78,9 @@ def test_forward_is_reverse(scene: cw.Scene) -> None:
     adjoint = np.random.default_rng(1).normal(size=(18, 24, 3))
     names = ["box.positions", "box.translate.x", "box.translate"]
     # With the cutoff given; a pilot may find another one for each.
-    slope = cw.gradient(scene, "box.translate.x", method="walk", max_angle=10.0)
+    derivative = cw.gradient(scene, "box.translate.x", method="walk", max_angle=10.0)
     gradients = cw.backward(scene, adjoint, names, method="walk", max_angle=10.0, seed=0)
-    forward = (adjoint * slope.gradient).sum()
+    forward = (adjoint * derivative.gradient).sum()
     assert np.isclose(gradients["box.translate.x"], forward, rtol=1e-9)
     assert np.isclose(gradients["box.positions"][:, 0].sum(), forward, rtol=1e-9)
     by_vector = gradients["box.translate"]
@@ -89,10 +89,10 @@ def test_forward_is_reverse(scene: cw.Scene) -> None:
     along = cw.gradient(scene, {"box.translate": [1.0, 0.0, 0.0]})
     assert np.array_equal(along.gradient, cw.gradient(scene, "box.translate.x").gradient)
     # Forward mode draws edges by how they move, too: equal within errors.
-    slope = cw.gradient(scene, "box.translate.x", method="edges", spp=256)
+    derivative = cw.gradient(scene, "box.translate.x", method="edges", spp=256)
     gradients = cw.backward(scene, adjoint, names, method="edges", spp=256, seed=1)
-    difference = gradients["box.translate.x"] - (adjoint * slope.gradient).sum()
-    forward_error = np.sqrt(np.square(adjoint * slope.stderr).sum())
+    difference = gradients["box.translate.x"] - (adjoint * derivative.gradient).sum()
+    forward_error = np.sqrt(np.square(adjoint * derivative.stderr).sum())
     # Channels of a pixel share their noise: at most sqrt(3) as much.
     error = np.hypot(np.sqrt(3) * forward_error, gradients.stderr["box.translate.x"])
     assert 0 < abs(difference) < 4 * error
@@ -116,15 +116,15 @@ def test_all_arrays_by_default(scene: cw.Scene) -> None:
     assert list(gradients) == list(cw.traverse(scene))
 
 
-def test_pictures(scene: cw.Scene, tmp_path: Path) -> None:
-    slope = cw.gradient(scene, "box.translate.x")
-    assert slope._repr_png_().startswith(b"\x89PNG")
+def test_previews(scene: cw.Scene, tmp_path: Path) -> None:
+    derivative = cw.gradient(scene, "box.translate.x")
+    assert derivative._repr_png_().startswith(b"\x89PNG")
     assert cw.render(scene)._repr_png_().startswith(b"\x89PNG")
     for ending in ["exr", "npz", "png"]:
-        slope.save(tmp_path / f"slope.{ending}")
-        assert (tmp_path / f"slope.{ending}").stat().st_size > 100
-    saved = np.load(tmp_path / "slope.npz")
-    assert np.allclose(saved["gradient"], slope.gradient, rtol=1e-6)
+        derivative.save(tmp_path / f"derivative.{ending}")
+        assert (tmp_path / f"derivative.{ending}").stat().st_size > 100
+    saved = np.load(tmp_path / "derivative.npz")
+    assert np.allclose(saved["gradient"], derivative.gradient, rtol=1e-6)
     assert {"gradient", "stderr", "value", "value_stderr"} <= set(saved)
 
 

@@ -66,16 +66,16 @@ def test_modes_are_those_of_the_library(leaf: cw.Scene, jit: Any) -> None:
     # Only what is asked for: with another method for it, other bits.
     (colour,) = cw.backward(leaf, ADJOINT, [FLOOR], spp=4, seed=SEED_GRAD).values()
     assert same(jit(jax.grad(loss, 1))(*point), colour)
-    slope = cw.gradient(leaf, "leaf.translate.x", spp=4, seed=SEED_GRAD).gradient
+    derivative = cw.gradient(leaf, "leaf.translate.x", spp=4, seed=SEED_GRAD).gradient
     velocity = jnp.zeros((3, 3)).at[:, 0].set(1)
 
     def pushed(positions: jax.Array, velocity: jax.Array) -> jax.Array:
         return jax.jvp(lambda p: image(p, point[1]), (positions,), (velocity,))
 
-    assert same(jit(pushed)(point[0], velocity), (found, slope))
+    assert same(jit(pushed)(point[0], velocity), (found, derivative))
     assert not jit(pushed)(point[0], 0 * velocity)[1].any()
     _, linear = jax.linearize(lambda p: image(p, point[1]), point[0])
-    assert same(linear(velocity), slope)
+    assert same(linear(velocity), derivative)
 
 
 def test_forward_is_reverse(leaf: cw.Scene) -> None:
@@ -94,10 +94,10 @@ def test_forward_is_reverse(leaf: cw.Scene) -> None:
         again = jax.linear_transpose(pull, ADJOINT)
         return push(*velocities), pull(ADJOINT)[0], again((velocities,))[0]
 
-    slope, gradients, again = both(velocities)
+    derivative, gradients, again = both(velocities)
     reverse = sum((g * v).sum() for g, v in zip(gradients, velocities))
-    assert np.isclose((ADJOINT * slope).sum(), reverse, rtol=1e-9)
-    assert same(again, slope)
+    assert np.isclose((ADJOINT * derivative).sum(), reverse, rtol=1e-9)
+    assert same(again, derivative)
 
 
 def test_pose_and_colour_agree_with_differences(leaf: cw.Scene) -> None:

@@ -43,12 +43,12 @@ def test_what_is_missing_is_said(glossy: cw.Scene, tmp_path: Path) -> None:
         cw.gradient(glossy, BOX)
     assert caught.value.instead is not None and "allow_missing" in caught.value.instead
     with incomplete():
-        slope = cw.gradient(glossy, BOX, allow_missing=("specular",))
-    share, stderr = slope.statistics["missing"]
+        derivative = cw.gradient(glossy, BOX, allow_missing=("specular",))
+    share, stderr = derivative.statistics["missing"]
     assert 0.01 < share < 0.5 and 0 < stderr < share
-    assert "left out" in repr(slope)
-    slope.save(tmp_path / "slope.exr")
-    assert b"missing_share" in (tmp_path / "slope.exr").read_bytes()
+    assert "left out" in repr(derivative)
+    derivative.save(tmp_path / "derivative.exr")
+    assert b"missing_share" in (tmp_path / "derivative.exr").read_bytes()
     # A part is not right, and what is compared is not wrong.
     with incomplete():
         check = cw.check(glossy, BOX, spp=64, allow_missing="specular")

@@ -188,10 +188,10 @@ def test_several_sensors() -> None:
     ours = mi.load_dict({"type": "capwalk"})
     shapes = [mi.render(loaded, integrator=ours, sensor=i, spp=1).shape for i in (0, 2)]
     assert [tuple(shape) for shape in shapes] == [(18, 24, 3), (4, 5, 3)]
-    elsewhere = mi.load_dict(small)
+    separate = mi.load_dict(small)
     inside, outside = (
         np.asarray(mi.render(loaded, integrator=ours, sensor=each, spp=4))
-        for each in (2, elsewhere)
+        for each in (2, separate)
     )
     assert np.array_equal(inside, outside)
 

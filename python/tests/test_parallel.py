@@ -54,9 +54,9 @@ def everything(with_what: Any, scene: cw.Scene, spp: int = 5) -> list[np.ndarray
     width, height = scene.size
     adjoint = np.linspace(-1, 2, 3 * width * height).reshape(height, width, 3)
     image = with_what.render(scene, spp=spp, seed=3)
-    slope = with_what.gradient(scene, "leaf.translate.x - leaf.rotate.y", spp=spp)
+    derivative = with_what.gradient(scene, "leaf.translate.x - leaf.rotate.y", spp=spp)
     gradients = with_what.backward(scene, adjoint, NAMES, spp=spp)
-    arrays = [image.value, image.stderr, slope.gradient, slope.stderr, slope.value]
+    arrays = [image.value, image.stderr, derivative.gradient, derivative.stderr, derivative.value]
     arrays += [gradients[name] for name in NAMES] + [gradients.stderr[name] for name in NAMES]
     return arrays
 
@@ -90,11 +90,11 @@ def test_processes_have_the_bits_of_the_whole(
 
 
 def test_methods_are_chosen_alike(leaf: cw.Scene, processes: Executor) -> None:
-    slope = Pool(processes).gradient(leaf, {"leaf.positions": np.ones((3, 3))}, spp=6)
+    derivative = Pool(processes).gradient(leaf, {"leaf.positions": np.ones((3, 3))}, spp=6)
     alone = cw.gradient(leaf, {"leaf.positions": np.ones((3, 3))}, spp=6)
-    assert slope.method == alone.method
-    assert slope.statistics == alone.statistics
-    assert np.array_equal(slope.gradient, alone.gradient)
+    assert derivative.method == alone.method
+    assert derivative.statistics == alone.statistics
+    assert np.array_equal(derivative.gradient, alone.gradient)
 
 
 def test_changes_are_sent(leaf: cw.Scene, processes: Executor) -> None:
@@ -129,8 +129,8 @@ def test_scenes_in_turn(leaf: cw.Scene, processes: Executor) -> None:
         for number, scene in enumerate(scenes):
             colour = np.array([0.1 * number, 0.3 * turn, 0.5])
             scene._update({"floor.bsdf.reflectance.value": colour})
-            picture = pool.render(scene, spp=2)
-            assert np.array_equal(picture.value, cw.render(scene, spp=2).value)
+            image = pool.render(scene, spp=2)
+            assert np.array_equal(image.value, cw.render(scene, spp=2).value)
 
 
 @forks
@@ -292,13 +292,13 @@ def test_a_scene_is_not_changed_while_it_is_rendered(leaf: cw.Scene, processes: 
 def views_are_right(workers: Workers, spp: int = 3) -> None:
     """Several sensors at once give what each of them gives alone."""
     scene = cw.load_string(SCENE.replace("</scene>", LEFT))
-    pictures = workers.render_views(scene, spp=spp, seed=4)
-    for view, picture in enumerate(pictures):
+    images = workers.render_views(scene, spp=spp, seed=4)
+    for view, image in enumerate(images):
         alone = cw.render(scene, sensor=view, spp=spp, seed=view_seed(4, view))
-        assert np.array_equal(picture.value, alone.value)
-    assert not are_same(workers.render_views(scene, [1, 1], spp=spp), [pictures[1]] * 2)
+        assert np.array_equal(image.value, alone.value)
+    assert not are_same(workers.render_views(scene, [1, 1], spp=spp), [images[1]] * 2)
 
-    adjoints = [picture.value - 0.5 for picture in pictures]
+    adjoints = [image.value - 0.5 for image in images]
     box, left = "box.positions", "left.to_world"
     total = workers.backward_views(scene, adjoints, [box, left], spp=spp, seed=5, method="walk")
     how: dict[str, Any] = {"spp": spp, "method": "walk"}

@@ -90,17 +90,17 @@ def test_forward_mode_is_gradient(leaf: cw.Scene) -> None:
         return capwalk.torch.render(leaf, {**params, LEAF: positions}, spp=4, seed=SEED)
 
     expected = cw.gradient(leaf, "leaf.translate.x", spp=4, seed=SEED_GRAD)
-    value, slope = torch.func.jvp(image, (params[LEAF],), (velocity,))
+    value, derivative = torch.func.jvp(image, (params[LEAF],), (velocity,))
     assert np.array_equal(value, cw.render(leaf, spp=4, seed=SEED))
-    assert np.array_equal(slope, expected)
+    assert np.array_equal(derivative, expected)
     with torch.autograd.forward_ad.dual_level():
         # Also where reverse mode records.
         params[LEAF].requires_grad_()
         dual = image(torch.autograd.forward_ad.make_dual(params[LEAF], velocity))
-        slope = torch.autograd.forward_ad.unpack_dual(dual).tangent
-        assert np.array_equal(slope.detach(), expected)
-    _, slope = torch.func.jvp(image, (params[LEAF].detach(),), (0 * velocity,))
-    assert not slope.any()
+        derivative = torch.autograd.forward_ad.unpack_dual(dual).tangent
+        assert np.array_equal(derivative.detach(), expected)
+    _, derivative = torch.func.jvp(image, (params[LEAF].detach(),), (0 * velocity,))
+    assert not derivative.any()
 
 
 def test_forward_is_reverse(leaf: cw.Scene) -> None:
@@ -115,10 +115,10 @@ def test_forward_is_reverse(leaf: cw.Scene) -> None:
         return capwalk.torch.render(leaf, dict(pairs), **options)
 
     values = tuple(params.values())
-    _, slope = torch.func.jvp(image, values, velocities)
+    _, derivative = torch.func.jvp(image, values, velocities)
     _, pull = torch.func.vjp(image, *values)
     gradients = pull(adjoint())
-    forward = (adjoint() * slope).sum()
+    forward = (adjoint() * derivative).sum()
     reverse = sum((g * v).sum() for g, v in zip(gradients, velocities))
     assert torch.isclose(forward, reverse, rtol=1e-9)
 
@@ -128,7 +128,7 @@ def test_forward_is_reverse(leaf: cw.Scene) -> None:
     def pushed(*velocities: torch.Tensor) -> torch.Tensor:
         return (adjoint() * torch.func.jvp(image, values, velocities)[1]).sum()
 
-    assert torch.equal(torch.func.grad(pulled)(adjoint()), slope)
+    assert torch.equal(torch.func.grad(pulled)(adjoint()), derivative)
     assert torch.equal(torch.func.jvp(pull, (adjoint(),), (2 * adjoint(),))[1][0], 2 * gradients[0])
     for one, other in zip(torch.func.grad(pushed, (0, 1))(*velocities), gradients):
         assert torch.equal(one, other)
@@ -283,8 +283,8 @@ def test_a_rotation_vector_turns_the_sensor(leaf: cw.Scene) -> None:
     value, pull = torch.func.vjp(image, torch.tensor(rotation))
     (gradient,) = pull(adjoint())
     assert np.allclose(gradient, expected, rtol=1e-12)
-    _, slope = torch.func.jvp(image, (torch.tensor(rotation),), (torch.tensor(velocity),))
-    assert np.isclose((adjoint() * slope).sum(), expected @ velocity, rtol=1e-9)
+    _, derivative = torch.func.jvp(image, (torch.tensor(rotation),), (torch.tensor(velocity),))
+    assert np.isclose((adjoint() * derivative).sum(), expected @ velocity, rtol=1e-9)
 
 
 def test_normals_are_made_unit(tmp_path: Path) -> None:
@@ -398,7 +398,7 @@ def test_no_second_derivatives(leaf: cw.Scene) -> None:
         return capwalk.torch.render(leaf, {FLOOR: colour}, spp=2).square().sum()
 
     (once,) = torch.autograd.grad(loss(colour), colour, create_graph=True)
-    with pytest.raises(cw.Refused, match=f"not differentiated again, here with respect to {FLOOR}"):
+    with pytest.raises(cw.Refused, match=f"not differentiated again, on_cpu with respect to {FLOOR}"):
         once.sum().backward()
     for second in (torch.func.hessian(loss), torch.func.jacrev(torch.func.grad(loss))):
         with pytest.raises(cw.Refused, match="again"):
@@ -473,14 +473,14 @@ def test_wrong_input(leaf: cw.Scene, case: int) -> None:
 @pytest.mark.skipif(not torch.cuda.is_available(), reason="there is no GPU")
 def test_devices(leaf: cw.Scene) -> None:
     """Tensors are moved, and what comes of them is moved back."""
-    here = tensors(leaf, LEAF, FLOOR)
-    there = {name: value.cuda().requires_grad_() for name, value in here.items()}
-    image = capwalk.torch.render(leaf, there, spp=2, seed=SEED)
+    on_cpu = tensors(leaf, LEAF, FLOOR)
+    on_gpu = {name: value.cuda().requires_grad_() for name, value in on_cpu.items()}
+    image = capwalk.torch.render(leaf, on_gpu, spp=2, seed=SEED)
     assert image.is_cuda
     assert np.array_equal(image.detach().cpu(), cw.render(leaf, spp=2, seed=SEED))
     image.sum().backward()
-    assert all(value.grad.is_cuda for value in there.values())
-    mixed = {LEAF: there[LEAF], FLOOR: there[FLOOR].cpu()}
+    assert all(value.grad.is_cuda for value in on_gpu.values())
+    mixed = {LEAF: on_gpu[LEAF], FLOOR: on_gpu[FLOOR].cpu()}
     with pytest.raises(cw.ArgumentError, match="several devices"):
         capwalk.torch.render(leaf, mixed)
 

@@ -66,7 +66,7 @@ def test_stored_outputs_are_those_of_a_run(name: str) -> None:
 
 
 def printed(notebook: Any) -> list[str]:
-    """What each cell prints, pictures as what stands for them in a terminal."""
+    """What each cell prints, images as what stands for them in a terminal."""
     texts = []
     for cell in notebook.cells:
         outputs = _joined(cell.get("outputs", []))

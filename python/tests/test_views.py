@@ -28,10 +28,10 @@ def test_sensors(two: cw.Scene) -> None:
     assert image.value.shape == (10, 20, 3)
     assert np.array_equal(image.value, cw.render(two, sensor=1, spp=8).value)
     assert cw.render(two).value.shape == (18, 24, 3)
-    slope = cw.gradient(two, "box.translate.x", sensor="left", method="walk", max_angle=10)
+    derivative = cw.gradient(two, "box.translate.x", sensor="left", method="walk", max_angle=10)
     ones = np.ones((10, 20, 3))
     gradients = cw.backward(two, ones, ["box.positions", "left.to_world"], sensor="left", seed=0)
-    assert slope.gradient.shape == (10, 20, 3) and gradients["left.to_world"].any()
+    assert derivative.gradient.shape == (10, 20, 3) and gradients["left.to_world"].any()
     with pytest.raises(cw.ArgumentError, match="expected 24 x 18"):
         cw.backward(two, ones)
 
@@ -92,8 +92,8 @@ def test_scenes_travel(two: cw.Scene) -> None:
     cw.traverse(two).update({"box.positions": two._values("box.positions") * 1.1})
     for other in (pickle.loads(pickle.dumps(two)), copy.copy(two), copy.deepcopy(two)):
         for sensor in (0, "left"):
-            here, there = (cw.render(each, sensor=sensor, spp=4) for each in (two, other))
-            assert np.array_equal(here.value, there.value)
+            original, copied = (cw.render(each, sensor=sensor, spp=4) for each in (two, other))
+            assert np.array_equal(original.value, copied.value)
     with pytest.raises(cw.Error, match="damaged: they are too few"):
         cw.Scene.from_bytes(b"?", "two")
 

@@ -53,7 +53,7 @@ pub const SUBJECTS: [Subject; 13] = [
     Subject::new("sphere-shadow", Origin::Peers, "thing", 'z'),
     Subject::new("cube-shadow", Origin::Peers, "thing", 'z'),
     Subject::new("shadow_of_a_moving_occluder", Origin::Folder, "thing", 'x'),
-    Subject::new("lamp_moves", Origin::Folder, "lamp", 'y'),
+    Subject::new("emitter_moves", Origin::Folder, "lamp", 'y'),
     Subject::new("interreflection", Origin::Folder, "thing", 'x'),
     Subject::new("indirect_shadow", Origin::Folder, "sheet", 'x'),
     Subject::new("cornell-box", Origin::Peers, "block", 'y'),

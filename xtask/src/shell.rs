@@ -11,9 +11,9 @@ use serde_json::Value;
 /// The root of the workspace.
 pub fn root() -> PathBuf {
     // Cargo says at run time in which checkout it runs.
-    let here = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
-    let here = here.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
-    here.parent().unwrap_or(Path::new(".")).to_owned()
+    let package = std::env::var_os("CARGO_MANIFEST_DIR").map(PathBuf::from);
+    let package = package.unwrap_or_else(|| env!("CARGO_MANIFEST_DIR").into());
+    package.parent().unwrap_or(Path::new(".")).to_owned()
 }
 
 /// Cargo's words for all crates with all that they can do, also what they have only if it is asked

@@ -50,17 +50,17 @@ const STEPS: [(&str, Tier, Step); 8] = [
     ("soak", Tier::Thorough, |_| soak::run(&["600".into()])),
 ];
 
-/// Phenomena of the quick tier: a silhouette before the camera, shadows of lamps and points, a
+/// Phenomena of the quick tier: a silhouette before the camera, shadows of emitters and points, a
 /// mirror, a sky, a glossy material, a colour and a refusal.
 const FEW_PHENOMENA: [&str; 8] = [
     "albedo",
+    "discontinuous_texture",
     "hard_shadow_of_a_point_light",
     "object_moves_in_a_planar_mirror",
-    "outline_with_a_box_filter",
-    "shadow_of_a_moving_occluder",
-    "sun_turns",
     "shadow_in_a_rough_mirror",
-    "texture_that_jumps",
+    "shadow_of_a_moving_occluder",
+    "silhouette_with_a_box_filter",
+    "sun_turns",
 ];
 
 fn format() -> Result<()> {

@@ -98,12 +98,12 @@ fn is_in_view(accel: &Accel, segment: [Vec3; 2], depth: f64) -> bool {
         let distance = (p - view.ray(direction).origin).length() * (1.0 - SHORT);
         depth <= near || is_blurred || accel.camera_sees(view.origin, direction, distance)
     };
-    let place = |i: u32| first + (last - first) * (f64::from(i) / f64::from(LOOKS));
-    (0..=LOOKS).map(place).any(sees)
+    let place = |i: u32| first + (last - first) * (f64::from(i) / f64::from(SAMPLES));
+    (0..=SAMPLES).map(place).any(sees)
 }
 
 /// At how many places along a cut it is looked for, between things before it.
-const LOOKS: u32 = 64;
+const SAMPLES: u32 = 64;
 
 /// Relative distance by which a point is taken before a clip plane.
 const SHORT: f64 = 1e-9;

@@ -59,7 +59,7 @@ impl EdgeVisibility {
             let shape = shape_of(&edges[0]);
             let (low, high) = accel.scene.shape(shape).mesh.bounds();
             let reach = REACH * (high - low).length();
-            let look = move |edge: &SampledEdge| match edge.exposure == 1.0 {
+            let visibility_of = move |edge: &SampledEdge| match edge.exposure == 1.0 {
                 true => Self::of(edge, reach, |ray| hides(shape, ray, accel)),
                 // It is seen from nowhere.
                 false => Self {
@@ -75,9 +75,9 @@ impl EdgeVisibility {
             });
             let is_hidden_somewhere = edges.len() <= PROBES
                 || edges.iter().any(|edge| edge.exposure != 1.0)
-                || probes.any(|edge| look(edge).rays.contains(&None));
+                || probes.any(|edge| visibility_of(edge).rays.contains(&None));
             edges.iter().map(move |edge| match is_hidden_somewhere {
-                true => look(edge),
+                true => visibility_of(edge),
                 false => Self::of(edge, reach, |_| false),
             })
         });
@@ -90,7 +90,7 @@ impl EdgeVisibility {
         let ([from, to], normals) = (edge.ends, edge.normals());
         let along = to - from;
         let axis = along.normalized();
-        let look = |ray: usize| {
+        let cast = |ray: usize| {
             let index = (edge.edge as usize * RAYS + ray) as f64;
             let [place, height, turn] = SPREAD.map(|step| (index * step).fract());
             // Across the edge, between the planes of its faces, to either side.
@@ -114,7 +114,7 @@ impl EdgeVisibility {
             (!is_hidden).then(|| number(direction))
         };
         Self {
-            rays: std::array::from_fn(look),
+            rays: std::array::from_fn(cast),
             reach,
         }
     }

@@ -13,7 +13,7 @@ use capwalk_scene::{Scene, ShapeId};
 const IN_PLANE: f64 = 1e-9;
 /// The most emitters times vertices for which the planes of emitters are searched for other
 /// surfaces. Beyond it all flat emitters count as flush, which costs rays time.
-const MOST_LOOKS: usize = 1 << 26;
+const MOST_COMPARISONS: usize = 1 << 26;
 
 /// The faces of these emitters, and the tree for their rays.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ impl FlushEmitters {
             .filter_map(|emitter| emitter.shape())
             .filter_map(|shape| Some((shape, Plane::of(&scene.shape(shape).mesh)?)));
         let shapes: Vec<(ShapeId, Plane)> = shapes.collect();
-        let is_affordable = shapes.len().saturating_mul(joined.positions.len()) <= MOST_LOOKS;
+        let is_affordable = shapes.len().saturating_mul(joined.positions.len()) <= MOST_COMPARISONS;
         let (mut mesh, mut faces) = (Mesh::default(), Vec::new());
         for (shape, plane) in &shapes {
             if is_affordable && !plane.has_others(*shape, joined, shape_of_face) {
@@ -122,15 +122,15 @@ mod tests {
     /// From in front, rays find an emitter in its ceiling wherever brute force finds the emitter alone,
     /// and the ceiling around it, whichever of the two comes first in the scene.
     #[test]
-    fn lamps_are_in_front_of_their_ceilings() {
+    fn emitters_are_in_front_of_their_ceilings() {
         let lit = capwalk_scene::builtin::scene("leaf").expect("built in");
-        let lamp = lit.emitters[0].shape().expect("a lamp");
+        let emitter = lit.emitters[0].shape().expect("an emitter");
         for others in 0..2 {
             // The ceiling takes the place of another shape, before the emitter or behind it.
             let mut scene = lit.clone();
-            let places = (0..scene.shapes.len()).filter(|&i| i != lamp.0 as usize);
+            let places = (0..scene.shapes.len()).filter(|&i| i != emitter.0 as usize);
             let place = places.clone().nth(others).expect("two other shapes");
-            let own = scene.shape(lamp).mesh.clone();
+            let own = scene.shape(emitter).mesh.clone();
             let (low, high) = own.bounds();
             let middle = (low + high) * 0.5;
             let ceiling = &mut Arc::make_mut(&mut scene.shapes[place]).mesh;
@@ -151,9 +151,9 @@ mod tests {
                     assert_eq!(expected, None);
                     continue;
                 };
-                let is_lamp = accel.shape_of(&hit) == lamp;
-                assert_eq!(is_lamp, expected.is_some(), "{ray:?}");
-                found[usize::from(is_lamp)] += 1;
+                let is_emitter = accel.shape_of(&hit) == emitter;
+                assert_eq!(is_emitter, expected.is_some(), "{ray:?}");
+                found[usize::from(is_emitter)] += 1;
             }
             assert!(found.into_iter().all(|count| count > 20), "{found:?}");
         }

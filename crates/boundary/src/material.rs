@@ -24,7 +24,7 @@ pub fn needs_place(scene: &Scene, shape: &Shape) -> bool {
 }
 
 /// True if the value depends on how a material is rotated about the normal.
-pub fn looks_turned(scene: &Scene, id: BsdfId) -> bool {
+pub fn depends_on_rotation(scene: &Scene, id: BsdfId) -> bool {
     any_part(scene, id, |bsdf| is_anisotropic(scene, bsdf))
 }
 

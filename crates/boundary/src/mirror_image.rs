@@ -202,8 +202,8 @@ impl Accel {
                 ..ray
             });
             let Some(hit) = hit else {
-                let is_there = !is_clipped && mirrors.faces().len() == image.count();
-                return is_there.then_some(mirrors);
+                let is_visible = !is_clipped && mirrors.faces().len() == image.count();
+                return is_visible.then_some(mirrors);
             };
             // At the next mirror of the chain the ray is reflected, elsewhere it must pass.
             let events = self.flat_events(&hit);
@@ -427,8 +427,8 @@ mod tests {
                 let seen = images.iter().find_map(|image| {
                     let offset = image.point(place) - origin;
                     let found = offset.length();
-                    let there = (offset / found - direction).length() < 1e-9;
-                    let is_it = there && (found / (distance + 0.7 * hit.t) - 1.0).abs() < 1e-9;
+                    let is_along = (offset / found - direction).length() < 1e-9;
+                    let is_it = is_along && (found / (distance + 0.7 * hit.t) - 1.0).abs() < 1e-9;
                     let sees = || accel.sees_image(image, origin, offset / found, found, 6);
                     is_it.then(sees).flatten()
                 });

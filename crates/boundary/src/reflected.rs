@@ -190,9 +190,9 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
         let miss = trace.ray.at(left) - target;
         // Without mirrors the margin is for rounding alone.
         let reflections = trace.mirrors.faces().len().max(1) as f64;
-        let is_there = miss.length() < SAME_MIRROR * reflections * distance;
+        let arrives = miss.length() < SAME_MIRROR * reflections * distance;
         let sees = || accel.surface_sees(trace.ray.origin, trace.ray.direction, left);
-        (is_there && sees()).then_some(trace.mirrors)
+        (arrives && sees()).then_some(trace.mirrors)
     }
 }
 

@@ -53,7 +53,7 @@ pub enum Refusal {
         method: &'static str,
     },
     /// Something moves beside an emitter that projects an image with borders.
-    PictureBorders {
+    ImageBorders {
         /// Name of the emitter.
         emitter: String,
         /// Its kind, by Mitsuba's name.
@@ -254,7 +254,7 @@ impl Refusal {
                 ),
                 instead("Use the default method, a small area emitter, or finite differences"),
             ),
-            Self::PictureBorders { emitter, plugin } => (
+            Self::ImageBorders { emitter, plugin } => (
                 format!(
                     "the image that the emitter \"{emitter}\" ({plugin}) projects is discontinuous, at its \
                      border or inside, and the motion of this on surfaces is not differentiated"

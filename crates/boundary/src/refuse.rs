@@ -6,7 +6,7 @@ use capwalk_walk::WalkSettings;
 use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 use crate::clip::refuse_clipped;
-use crate::material::{looks_turned, may_be_specular, tangents_of_face, textures_of};
+use crate::material::{depends_on_rotation, may_be_specular, tangents_of_face, textures_of};
 use crate::method::Method;
 use crate::mirror::MAX_EVENTS;
 use crate::refusal::{Refusal, SpecularCause};
@@ -26,7 +26,7 @@ fn refuse_hard_shadows(scene: &Scene, method: &Method) -> Result<(), Refusal> {
         _ => false,
     };
     if let Some(emitter) = scene.emitters.iter().find(has_borders) {
-        return Err(Refusal::PictureBorders {
+        return Err(Refusal::ImageBorders {
             emitter: emitter.name(scene),
             plugin: emitter.plugin(),
         });
@@ -65,7 +65,7 @@ fn refuse_parallel_rays(scene: &Scene, method: &Method) -> Result<(), Refusal> {
 
 /// A refusal if a texture is discontinuous inside faces and the method does not cover the
 /// motion of these discontinuities, or if there are too many lines of them (METHOD 7).
-fn refuse_jumping_textures(accel: &Accel, method: &Method) -> Result<(), Refusal> {
+fn refuse_discontinuous_textures(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     for shape in &accel.scene.shapes {
         let textures = textures_of(&accel.scene, shape);
         let Some(texture) = textures
@@ -103,7 +103,7 @@ pub fn refuse_turned_without_uvs(scene: &Scene) -> Result<(), Refusal> {
             continue;
         };
         let has_map = scene.map_in(shape.bsdf).is_some();
-        if !has_map && !looks_turned(scene, shape.bsdf) {
+        if !has_map && !depends_on_rotation(scene, shape.bsdf) {
             continue;
         }
         let is_made_up = |&face: &usize| {
@@ -184,7 +184,7 @@ pub fn uncovered_motion(scene: &Scene, method: &Method, by_walks: bool) -> Refus
 pub fn refuse_motion(accel: &Accel, method: &Method) -> Result<(), Refusal> {
     refuse_parallel_rays(&accel.scene, method)?;
     refuse_hard_shadows(&accel.scene, method)?;
-    refuse_jumping_textures(accel, method)?;
+    refuse_discontinuous_textures(accel, method)?;
     refuse_turned_without_uvs(&accel.scene)?;
     refuse_clipped(accel)
 }

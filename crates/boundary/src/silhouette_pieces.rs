@@ -290,9 +290,9 @@ impl SilhouettePieces {
             return 1.0;
         }
         let seen = q.to_array().map(|x| x as f32);
-        let is_there = |(i, other): &(usize, &Piece)| {
-            let is_elsewhere = |ball: &Ball| !ball.may_contain(seen);
-            if self.balls.get(*i).is_some_and(is_elsewhere)
+        let coincides = |(i, other): &(usize, &Piece)| {
+            let misses = |ball: &Ball| !ball.may_contain(seen);
+            if self.balls.get(*i).is_some_and(misses)
                 || (other.edge, other.image) == (edge, own.image)
             {
                 return false;
@@ -312,7 +312,7 @@ impl SilhouettePieces {
                     is_seen(image, point / distance, distance)
                 })
         };
-        1.0 + self.pieces.iter().enumerate().filter(is_there).count() as f64
+        1.0 + self.pieces.iter().enumerate().filter(coincides).count() as f64
     }
 }
 

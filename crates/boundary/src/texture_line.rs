@@ -229,7 +229,7 @@ mod tests {
         scene.emitters.clear();
         let slot = scene.slots_below(bsdf)[0].texture;
         *scene.texture_mut(slot) = Texture {
-            id: "jumps".into(),
+            id: "blocks".into(),
             channels: 1,
             data: (0..texels).map(|i| i as f64).collect(),
             pattern,

@@ -20,15 +20,15 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         prepared.update("sensor.translate", &[offset, 0.0, 0.0])?;
 
         // What it should see: the ball in another place.
-        let mut elsewhere = Prepared::new(prepared.scene().clone())?;
-        let moved = elsewhere.values("ball.positions")?.numbers;
+        let mut target_scene = Prepared::new(prepared.scene().clone())?;
+        let moved = target_scene.values("ball.positions")?.numbers;
         let moved: Vec<f64> = moved
             .chunks(3)
             .flat_map(|p| [p[0] + 0.1, p[1], p[2]])
             .collect();
-        elsewhere.update("ball.positions", &moved)?;
+        target_scene.update("ball.positions", &moved)?;
         let sampling = RenderOptions::new(64, 7);
-        let target = elsewhere.render(&sampling, &Unwatched)?.value.mean;
+        let target = target_scene.render(&sampling, &Unwatched)?.value.mean;
 
         // Each view has a seed of its own, so that their noise is independent.
         let options = GradientOptions {

@@ -55,7 +55,7 @@ mod tests {
     /// A GPU that is asked for is an error that says how to build it; where any device will do, it
     /// is the CPU, in every mode.
     #[test]
-    fn there_is_no_gpu() {
+    fn without_a_gpu() {
         let prepared = PreparedScene::new(builtin::scene("leaf").expect("built in"));
         let scene = prepared.scene();
         let still = Tangent::zero(scene);

@@ -147,7 +147,7 @@ impl Views {
     }
 
     /// An error if names of parameters, or sums of them, mean one sensor that is called `sensor`
-    /// while another renders, which is called so elsewhere.
+    /// while another renders, which is called so copy.
     pub fn check_names(&self, view: ViewId, names: &[&str]) -> Result<(), Error> {
         let is_another = |i: usize| i != view.sensor && self.sensors[i].sensor.id == "sensor";
         if !(0..self.sensors.len()).any(is_another) {
@@ -398,11 +398,11 @@ mod tests {
         assert!(image(&views, 0) == old[0]);
         assert!(image(&views, 1) == old[0]);
         let bytes = views.to_bytes().expect("it has bytes");
-        let mut elsewhere = Views::from_bytes(&bytes).expect("a scene");
-        assert!(image(&elsewhere, 1) == old[0]);
+        let mut copy = Views::from_bytes(&bytes).expect("a scene");
+        assert!(image(&copy, 1) == old[0]);
         let bytes = self::views().to_bytes().expect("it has bytes");
-        elsewhere.replace_by_bytes(&bytes).expect("a scene");
-        assert!(image(&elsewhere, 1) == before[1]);
+        copy.replace_by_bytes(&bytes).expect("a scene");
+        assert!(image(&copy, 1) == before[1]);
         assert_eq!(views.values("right.to_world").expect("there"), place);
     }
 

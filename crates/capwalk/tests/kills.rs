@@ -17,7 +17,7 @@ size = [8, 6]
 iterations = 3
 spp = 4
 seed = 5
-pictures = 2
+images = 2
 target = { spp = 16, set = { "leaf.translate.x" = 0.2 } }
 parameter = [
     { name = "leaf.translate.x", bounds = [-1, 1] },

@@ -66,12 +66,12 @@ fn scenes() -> Vec<(&'static str, Scene, &'static str)> {
             "lattice.translate.x",
         ),
         (
-            "ball with outline, box filter",
+            "ball with silhouette, box filter",
             visible_ball(Filter::Box),
             "ball.translate.x",
         ),
         (
-            "ball with outline, gaussian",
+            "ball with silhouette, gaussian",
             visible_ball(gaussian),
             "ball.translate.x",
         ),

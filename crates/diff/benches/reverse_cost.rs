@@ -27,7 +27,7 @@ use capwalk_diff::{
 use capwalk_math::Rgb;
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::{Image, Scene, ShadingNormals, Tangent, params};
-use common::{add, add_floor, add_lamp, empty, v};
+use common::{add, add_emitter, add_floor, empty, v};
 
 /// Edges of the sphere are cut into so many: `10 n² + 2` vertices.
 const FREQUENCY: u32 = 158;
@@ -94,7 +94,7 @@ fn once() -> Option<[usize; 2]> {
 type Way = fn(&Bench, u32) -> Statistics;
 
 const WAYS: [(&str, Way); 6] = [
-    ("picture", |bench, spp| {
+    ("image", |bench, spp| {
         render(
             &PreparedScene::new(bench.scene.clone()),
             &options(spp).sampling(),
@@ -121,11 +121,11 @@ const WAYS: [(&str, Way); 6] = [
         colours.add(&colour("floor.bsdf.reflectance.value"));
         bench.backward(&Wanted::by(&colours), spp)
     }),
-    ("reverse, the lamp's 4 vertices", |bench, spp| {
-        let lamp = params::Registry::new(&bench.scene)
+    ("reverse, the emitter's 4 vertices", |bench, spp| {
+        let emitter = params::Registry::new(&bench.scene)
             .tangent(&bench.scene, "lamp.translate.x")
             .expect("a shape");
-        bench.backward(&Wanted::by(&lamp), spp)
+        bench.backward(&Wanted::by(&emitter), spp)
     }),
     ("reverse, the mesh's vertices", |bench, spp| {
         bench.backward(&Wanted::by(&bench.tangent), spp)
@@ -143,7 +143,7 @@ struct Bench {
 }
 
 impl Bench {
-    /// A bumpy ball over a floor under a lamp, in view with its shadow.
+    /// A bumpy ball over a floor under an emitter, in view with its shadow.
     fn new(frequency: u32) -> Self {
         let mut scene = empty(v(0.4, -5.0, 2.6), v(0.0, 0.0, 0.8), 34.0, SIZE);
         add_floor(&mut scene, 3.0);
@@ -154,17 +154,17 @@ impl Bench {
         }
         let normals = ShadingNormals::computed(&ball);
         add(&mut scene, "ball", ball, normals, 0.6);
-        add_lamp(&mut scene, v(0.8, -0.6, 3.5), 0.9, 0.3, 12.0);
+        add_emitter(&mut scene, v(0.8, -0.6, 3.5), 0.9, 0.3, 12.0);
         scene.check().expect("a valid scene");
         let tangent = params::Registry::new(&scene)
             .tangent(&scene, "ball.translate.x")
             .expect("a shape");
         let size = SIZE as usize;
-        let slopes = (0..size * size).map(|i| Rgb::splat((0.1 * i as f64).sin()));
+        let weights = (0..size * size).map(|i| Rgb::splat((0.1 * i as f64).sin()));
         let adjoint = Image {
             width: size,
             height: size,
-            pixels: slopes.collect(),
+            pixels: weights.collect(),
         };
         Self {
             scene,
@@ -189,7 +189,7 @@ impl Bench {
         println!("a mesh of {vertices} vertices, {SIZE} x {SIZE} pixels, one thread");
         println!(
             "{:38}{:>12}{:>10}{:>10}{:>16}{:>10}{:>10}",
-            "", "µs/sample", "/picture", "/forward", "queries/sample", "fixed, s", "peak, MiB"
+            "", "µs/sample", "/image", "/forward", "queries/sample", "fixed, s", "peak, MiB"
         );
         let sample = |i: usize| median(times[i].iter().map(|&(sample, _)| sample));
         for (i, (name, _)) in WAYS.iter().enumerate() {

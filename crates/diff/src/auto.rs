@@ -286,19 +286,19 @@ impl Pilot<'_> {
         let first = pixels.len().div_ceil(FIRST_PART);
         // What is known so far from these pixels and some more.
         let mut found = Vec::new();
-        let mut look = |end: usize| {
+        let mut tried = |end: usize| {
             found.extend(self.samples(method, max_radius, &pixels[found.len()..end]));
             Trial::new(method, max_radius, &found)
         };
-        let probe = look(first.div_ceil(PROBE));
+        let probe = tried(first.div_ceil(PROBE));
         let all = pixels.len() as f64 * f64::from(PER_PIXEL);
         if !self.affords(all * probe.effort, trials) {
             trials.spent += probe.spent();
             return None;
         }
-        let mut trial = look(first);
+        let mut trial = tried(first);
         if !trial.is_hopeless(&trials.list) {
-            trial = look(pixels.len());
+            trial = tried(pixels.len());
         }
         trials.spent += trial.spent();
         trials.list.push(trial);
@@ -329,7 +329,7 @@ impl Pilot<'_> {
         let _ = tracer.build_edge_samplers(self.watch);
         let sampler = Sampler::new(&scene.settings, PILOT_SEED, 1);
         let width = scene.film.crop_size[0];
-        let look = |&[x, y]: &[u32; 2]| {
+        let sampled = |&[x, y]: &[u32; 2]| {
             let pixel = u64::from(y * width + x);
             let before = effort();
             let mut moments = [Moments::default(); 3];
@@ -353,7 +353,7 @@ impl Pilot<'_> {
             let variance: f64 = moments.iter().map(|m| m.variance()).sum();
             (variance, effort().wrapping_sub(before))
         };
-        pool::install(|| pixels.par_iter().map(look).collect())
+        pool::install(|| pixels.par_iter().map(sampled).collect())
     }
 }
 

@@ -411,9 +411,9 @@ fn worst_outlier(noisy: &[Pixel]) -> Option<&Pixel> {
 /// Right, or how many more samples would tell.
 fn visible(pixels: &Pixels, fitted: &ScaleFactor) -> Verdict {
     let zero = |p: &NoiseFree| p.gradient == Rgb::zero() && p.reference == Rgb::zero();
-    let nothing_there = pixels.noisy.is_empty() && pixels.noise_free.iter().all(zero);
+    let nothing_visible = pixels.noisy.is_empty() && pixels.noise_free.iter().all(zero);
     let largest_error = (fitted.factor - 1.0).abs() + EXCLUDED_AT * fitted.error;
-    if nothing_there || largest_error <= EXCLUDED_ERROR {
+    if nothing_visible || largest_error <= EXCLUDED_ERROR {
         return Verdict::Right;
     }
     // A right gradient comes out within two standard errors of 1, and two more

@@ -106,9 +106,9 @@ impl Coverage<'_> {
         };
         let field = self.field(method);
         let points = wanted.points(self.prepared.accel(), field.boundaries);
-        let of = |count: u32, look: &(dyn Fn(&Reverse, u32) -> UncoveredEvents + Sync)| {
+        let of = |count: u32, estimate: &(dyn Fn(&Reverse, u32) -> UncoveredEvents + Sync)| {
             let one = |tape: &mut Tape, number: u32| {
-                let found = look(&Reverse::new(field, wanted, &points, tape), number);
+                let found = estimate(&Reverse::new(field, wanted, &points, tape), number);
                 tape.clear();
                 found
             };

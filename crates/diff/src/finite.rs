@@ -35,7 +35,7 @@ struct Place {
     /// Its weight in the image that the derivative is of.
     value: f64,
     /// Its weight in the derivative, over the step.
-    slope: f64,
+    difference: f64,
 }
 
 impl Stencil {
@@ -70,7 +70,11 @@ impl Stencil {
 
     /// What is added up; each has an error of the order of the step squared.
     fn places(self) -> Vec<Place> {
-        let place = |at, value, slope| Place { at, value, slope };
+        let place = |at, value, difference| Place {
+            at,
+            value,
+            difference,
+        };
         let one_sided = |sign: f64| {
             vec![
                 place(0.0, 1.0, -3.0 * sign),
@@ -256,7 +260,7 @@ impl<'a> Differences<'a> {
             for (tracer, place) in tracers.iter().zip(&self.places) {
                 let light: Rgb = tracer.pixel(&Primal(tracer.accel), pixel, draw);
                 value += light * place.value;
-                difference += light * place.slope;
+                difference += light * place.difference;
             }
             let [[a, b, c], [d, e, f]] = [value, difference / self.step].map(|rgb| rgb.to_array());
             Sample {

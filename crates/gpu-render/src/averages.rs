@@ -49,10 +49,10 @@ impl DeviceScene<'_> {
         if let Some(unsupported) = unsupported_options(options) {
             return Err(unsupported.into());
         }
-        pool::install(|| self.average_here::<N>(task, options, watch))
+        pool::install(|| self.average_in_pool::<N>(task, options, watch))
     }
 
-    fn average_here<const N: usize>(
+    fn average_in_pool<const N: usize>(
         &self,
         task: Task,
         options: &RenderOptions,

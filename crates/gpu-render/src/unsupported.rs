@@ -136,14 +136,14 @@ fn in_motion(
         })
     };
     let walks = || {
-        let elsewhere = Gathers {
+        let direct = Gathers {
             indirect: false,
             ..Gathers::ALL
         };
         let has_them = match options.method {
             Method::Auto => true,
             Method::Edges(gathers) => {
-                elsewhere.without(gathers).is_nowhere() && gathers.points == Gathers::POINTS
+                direct.without(gathers).is_nowhere() && gathers.points == Gathers::POINTS
             }
             _ => false,
         };

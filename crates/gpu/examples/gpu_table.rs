@@ -85,8 +85,8 @@ fn run() -> Result<(), GpuError> {
 /// The trees, the queries, and the CPU's answers to the first of them.
 struct Own {
     mesh: Mesh,
-    rays_there: RayTree,
-    edges_there: SilhouetteTree,
+    ray_tree: RayTree,
+    edge_tree: SilhouetteTree,
     rays: Vec<Ray>,
     all: Vec<ConeQuery>,
     narrow: Vec<ConeQuery>,
@@ -102,8 +102,8 @@ type Timed<T> = (Duration, Vec<T>);
 
 impl Own {
     fn new(mesh: Mesh, count: usize) -> Self {
-        let rays_there = RayTree::build(&mesh);
-        let edges_there = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
+        let ray_tree = RayTree::build(&mesh);
+        let edge_tree = SilhouetteTree::build(&mesh, &topology::edges(&mesh));
         let rays = views(count);
         let cones = |rays: &[Ray], max_angle: f64| -> Vec<ConeQuery> {
             let cone = |ray: &Ray| ConeQuery {
@@ -117,22 +117,22 @@ impl Own {
             rays.iter().map(cone).collect()
         };
         let (all, narrow) = (cones(&rays, PI), cones(&rays, NARROW));
-        let shaded = cones(&towards_light(&rays_there, count), PI);
+        let shaded = cones(&towards_light(&ray_tree, count), PI);
         let gather = |cone: &ConeQuery| {
             let mut edges = Vec::new();
-            edges_there.gather(cone, None, |edge, _| edges.push(edge));
+            edge_tree.gather(cone, None, |edge, _| edges.push(edge));
             edges.sort_unstable();
             edges
         };
         Self {
-            hits: timed(&rays, |ray| rays_there.first_hit(ray)),
-            occluded: timed(&rays, |ray| rays_there.occluded(ray)),
+            hits: timed(&rays, |ray| ray_tree.first_hit(ray)),
+            occluded: timed(&rays, |ray| ray_tree.occluded(ray)),
             closest: [&all, &narrow, &shaded]
-                .map(|cones| timed(cones, |cone| edges_there.closest(cone))),
+                .map(|cones| timed(cones, |cone| edge_tree.closest(cone))),
             gathered: timed(&narrow, gather),
             mesh,
-            rays_there,
-            edges_there,
+            ray_tree,
+            edge_tree,
             rays,
             all,
             narrow,
@@ -163,8 +163,8 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
             false => "",
         },
     );
-    let rays_there = DeviceRayTree::new(gpu, &own.rays_there)?;
-    let edges_there = DeviceSilhouetteTree::new(gpu, &own.edges_there)?;
+    let device_rays = DeviceRayTree::new(gpu, &own.ray_tree)?;
+    let device_edges = DeviceSilhouetteTree::new(gpu, &own.edge_tree)?;
     println!(
         "| query | kernel, million per second | x first hit | whole call | CPU | \
          equal to the bit | off by at most |"
@@ -174,11 +174,11 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
         count: own.rays.len(),
         first_hit: None,
     };
-    let found = fastest(gpu, || rays_there.first_hits(&own.rays))?;
+    let found = fastest(gpu, || device_rays.first_hits(&own.rays))?;
     table.row("first hit", &found, &own.hits, |a, b| {
         Some((a.as_ref()?.t - b.as_ref()?.t).abs())
     });
-    let found = fastest(gpu, || rays_there.occluded(&own.rays))?;
+    let found = fastest(gpu, || device_rays.occluded(&own.rays))?;
     table.row("occluded", &found, &own.occluded, |a, b| {
         (a == b).then_some(0.0)
     });
@@ -192,12 +192,12 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
         .zip([&own.all, &own.narrow, &own.shaded])
         .zip(&own.closest)
     {
-        let found = fastest(gpu, || edges_there.closest(cones))?;
+        let found = fastest(gpu, || device_edges.closest(cones))?;
         table.row(name, &found, expected, |a, b| {
             Some((a.as_ref()?.angle - b.as_ref()?.angle).abs())
         });
     }
-    let found = fastest(gpu, || edges_there.gather(&own.narrow, CAPACITY))?;
+    let found = fastest(gpu, || device_edges.gather(&own.narrow, CAPACITY))?;
     let overflowed = found.answers.overflowed();
     let sorted = |i: usize| {
         let mut edges = found.answers.of(i).to_vec();
@@ -216,7 +216,7 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
         |a, b| (a == b).then_some(0.0),
     );
     println!("\nOf the last, {overflowed} met more than {CAPACITY} edges and were asked twice.");
-    refits(gpu, own, rays_there, edges_there)
+    refits(gpu, own, device_rays, device_edges)
 }
 
 /// How long it takes to follow vertices, and how the queries' times change with bounds from the
@@ -224,8 +224,8 @@ fn measure(gpu: &Arc<Gpu>, own: &Own) -> Result<(), GpuError> {
 fn refits(
     gpu: &Gpu,
     own: &Own,
-    mut rays_there: DeviceRayTree,
-    mut edges_there: DeviceSilhouetteTree,
+    mut device_rays: DeviceRayTree,
+    mut device_edges: DeviceSilhouetteTree,
 ) -> Result<(), GpuError> {
     let milliseconds = |time: Duration| time.as_secs_f64() * 1e3;
     println!("\n| refit | kernels, ms | whole call, ms | CPU, ms |\n|---|---|---|---|");
@@ -239,17 +239,17 @@ fn refits(
         );
         Ok(())
     };
-    let (mut ray_tree, mut edge_tree) = (own.rays_there.clone(), own.edges_there.clone());
+    let (mut ray_tree, mut edge_tree) = (own.ray_tree.clone(), own.edge_tree.clone());
     let started = Instant::now();
     ray_tree.refit(&own.mesh);
     let of_rays = started.elapsed();
-    row("triangles", &mut || rays_there.refit(&own.mesh), of_rays)?;
+    row("triangles", &mut || device_rays.refit(&own.mesh), of_rays)?;
     let started = Instant::now();
     edge_tree.refit(&own.mesh);
     let of_edges = started.elapsed();
-    row("edges", &mut || edges_there.refit(&own.mesh), of_edges)?;
-    let hits = fastest(gpu, || rays_there.first_hits(&own.rays))?;
-    let closest = fastest(gpu, || edges_there.closest(&own.all))?;
+    row("edges", &mut || device_edges.refit(&own.mesh), of_edges)?;
+    let hits = fastest(gpu, || device_rays.first_hits(&own.rays))?;
+    let closest = fastest(gpu, || device_edges.closest(&own.all))?;
     println!(
         "\nAfter that, kernels take {:.2} ms for the first hits and {:.2} ms for the closest silhouettes.",
         milliseconds(hits.kernels),

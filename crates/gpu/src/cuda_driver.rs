@@ -224,9 +224,9 @@ impl CudaDriver {
             parameters.copy_from_slice(&[memory.device_ptr(&self.stream).0, memory.len() as u64]);
         }
         parameters[2 * ARRAYS] = words.device_ptr(&self.stream).0;
-        let mut there = loaded.module.get_global(PARAMETERS, &self.stream)?;
+        let mut symbol = loaded.module.get_global(PARAMETERS, &self.stream)?;
         self.stream
-            .memcpy_htod(bytemuck::cast_slice::<_, u8>(&parameters), &mut there)?;
+            .memcpy_htod(bytemuck::cast_slice::<_, u8>(&parameters), &mut symbol)?;
         let shape = LaunchConfig {
             grid_dim: (launch.queries().div_ceil(kernel.group) as u32, 1, 1),
             block_dim: (GROUP as u32, 1, 1),

@@ -65,8 +65,8 @@ impl Primitives {
             Self::Edges(_) => {
                 for &[a, b, first, second] in self.sides() {
                     let faces = [first, second & !FLIPPED].into_iter();
-                    let is_there = |face: u32| (face as usize) < mesh.faces.len();
-                    if first != NONE && !faces.into_iter().all(is_there) {
+                    let exists = |face: u32| (face as usize) < mesh.faces.len();
+                    if first != NONE && !faces.into_iter().all(exists) {
                         return Err("one of its edges has faces that the mesh has not".to_owned());
                     }
                     for vertex in [a, b] {

@@ -172,7 +172,7 @@ impl Problem {
             .map_err(Stop::Outside)?;
         // Render every view and compare it with its target.
         let views = views.of(self, &scene, watch).ok_or(Stop::Interrupted)?;
-        let seen = self.look(views, state.iteration, watch)?;
+        let seen = self.render_views(views, state.iteration, watch)?;
         let mut row = self.row(state, values, &seen.measured);
         if !row.loss.is_finite() {
             let (iteration, loss) = (state.iteration, row.loss);
@@ -221,7 +221,7 @@ impl Problem {
     }
 
     /// Renders all views and compares them with their targets.
-    fn look(
+    fn render_views(
         &self,
         views: &[PreparedScene],
         iteration: u32,

@@ -105,7 +105,7 @@ impl<const N: usize> Real for Dual<N> {
     #[inline]
     fn chain<const M: usize>(value: f64, terms: [(Self, f64); M]) -> Self {
         let along = |i: usize| {
-            let parts = terms.iter().map(|(x, slope)| slope * x.tangent[i]);
+            let parts = terms.iter().map(|(x, dx)| dx * x.tangent[i]);
             parts.reduce(|sum, part| sum + part).unwrap_or(0.0)
         };
         Self::new(value, std::array::from_fn(along))

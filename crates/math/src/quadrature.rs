@@ -14,17 +14,17 @@ fn node(i: usize, n: usize) -> (f64, f64) {
     // From the asymptotic zeros it converges in three steps or four.
     const STEPS: usize = 6;
     let mut x = (PI * (i as f64 + 0.75) / (n as f64 + 0.5)).cos();
-    let mut slope = 1.0;
+    let mut dp = 1.0;
     for _ in 0..STEPS {
         let (mut p, mut before) = (1.0, 0.0);
         for k in 0..n {
             let k = k as f64;
             (p, before) = (((2.0 * k + 1.0) * x * p - k * before) / (k + 1.0), p);
         }
-        slope = n as f64 * (x * p - before) / (x * x - 1.0);
-        x -= p / slope;
+        dp = n as f64 * (x * p - before) / (x * x - 1.0);
+        x -= p / dp;
     }
-    (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope))
+    (0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * dp * dp))
 }
 
 #[cfg(test)]

@@ -118,8 +118,8 @@ impl<R: Real> Vec3<R> {
         let q = v * scale;
         // (I - q qᵀ) / |v|, row by row.
         let row = |i: usize, of: f64| {
-            let slope = |j: usize| (f64::from(i == j) - of * q[j]) * scale;
-            let terms = [(self.x, slope(0)), (self.y, slope(1)), (self.z, slope(2))];
+            let dq = |j: usize| (f64::from(i == j) - of * q[j]) * scale;
+            let terms = [(self.x, dq(0)), (self.y, dq(1)), (self.z, dq(2))];
             R::chain(of, terms)
         };
         Self::new(row(0, q.x), row(1, q.y), row(2, q.z))
@@ -322,9 +322,9 @@ mod tests {
                 adjoints.add(result, 1.0);
                 tape.sweep(&mut adjoints, 0..tape.len());
                 let found = vectors.map(|v| adjoints.of_vector(v).to_array());
-                for (i, &slope) in expected.tangent.iter().enumerate() {
-                    assert!((slope - forward.tangent[i]).abs() < 1e-15);
-                    assert!((slope - found[i / 3][i % 3]).abs() < 1e-15);
+                for (i, &derivative) in expected.tangent.iter().enumerate() {
+                    assert!((derivative - forward.tangent[i]).abs() < 1e-15);
+                    assert!((derivative - found[i / 3][i % 3]).abs() < 1e-15);
                 }
             }
         }

@@ -120,7 +120,7 @@ mod tests {
         let (floor, normals) = rectangle(Affine::scale(Vec3::splat(5.0)));
         scene.add_shape(Shape::new("floor", floor, normals, bsdf));
         // Height above the floor, radiance, and whether it looks down.
-        let lamps = [
+        let emitters = [
             (2.0, 1.0, true),
             (2.0, 10.0, true),
             (4.0, 10.0, true),
@@ -128,8 +128,8 @@ mod tests {
             (-2.0, 100.0, true),
             (2.5, 0.0, true),
         ];
-        for (i, (height, radiance, looks_down)) in lamps.into_iter().enumerate() {
-            let turn = if looks_down {
+        for (i, (height, radiance, faces_down)) in emitters.into_iter().enumerate() {
+            let turn = if faces_down {
                 std::f64::consts::PI
             } else {
                 0.0
@@ -174,10 +174,10 @@ mod tests {
         let surface = surface_at(&eval, accel, &hit, origin, down);
         let vertex = vertex_at(&eval, accel, &surface, down).expect("diffuse");
         let choice =
-            EmitterChoice::by_light(accel, prepared.emitters(), &vertex, lamps.len(), |i| {
+            EmitterChoice::by_light(accel, prepared.emitters(), &vertex, emitters.len(), |i| {
                 EmitterId(i as u32)
             });
-        let probabilities: Vec<f64> = (0..lamps.len()).map(|i| choice.probability(i)).collect();
+        let probabilities: Vec<f64> = (0..emitters.len()).map(|i| choice.probability(i)).collect();
         assert!((probabilities.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         let least = UNIFORM / 4.0;
         assert!(

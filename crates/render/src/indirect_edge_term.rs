@@ -137,12 +137,12 @@ impl Tracer<'_> {
         let image: Option<&MirrorImage> = at.in_mirrors.as_ref().map(|seen| seen.image);
         let nearest = point.distance * (1.0 - SHORT_OF_EDGE);
         let sides = point.sides_of_paths(field.boundaries, accel);
-        let mut looks = sides.map(|side| {
+        let mut paths = sides.map(|side| {
             let (from, direction) = match image {
                 None => (beside_its_face(field, vertex, point, side), side),
                 Some(image) => (Cow::Borrowed(vertex), image.direction(side)),
             };
-            Look {
+            SidePath {
                 weight: from.eval(direction),
                 ray: [from.position, direction],
                 hit: accel.first_hit(from.position, direction),
@@ -151,7 +151,7 @@ impl Tracer<'_> {
         });
         let (mut events, mut reflections) = (0, 0);
         let mut chain = SpecularChain::default();
-        while let Some(hit) = one_nearer_face(&looks) {
+        while let Some(hit) = one_nearer_face(&paths) {
             let shows = image.is_some_and(|image| accel.reflects_next(image, reflections, &hit));
             let event = if shows { Event::Reflect } else { Event::Pass };
             let flat = accel.flat_events(&hit);
@@ -159,7 +159,7 @@ impl Tracer<'_> {
             if !flat.contains(event) || !self.plan.reaches(depth + events + 3) {
                 return Rgb::zero();
             }
-            looks = looks.map(|look| self.after(look, event));
+            paths = paths.map(|path| self.after(path, event));
             chain = chain.at(flat).followed_by(event);
             events += 1;
             reflections += usize::from(shows);
@@ -167,10 +167,10 @@ impl Tracer<'_> {
         if image.is_some_and(|image| reflections < image.count()) {
             return Rgb::zero();
         }
-        let [behind, before] = looks.map(|look| {
-            let Look {
+        let [behind, before] = paths.map(|path| {
+            let SidePath {
                 weight, ray, hit, ..
-            } = look;
+            } = path;
             if weight == Rgb::zero() {
                 return weight;
             }
@@ -190,22 +190,22 @@ impl Tracer<'_> {
     }
 
     /// What is seen after a specular event at the surface that is hit.
-    fn after(&self, look: Look, event: Event) -> Look {
-        let (eval, accel, [origin, direction]) = (Primal(self.accel), self.accel, look.ray);
-        let found = look.hit.expect("a surface was hit");
+    fn after(&self, path: SidePath, event: Event) -> SidePath {
+        let (eval, accel, [origin, direction]) = (Primal(self.accel), self.accel, path.ray);
+        let found = path.hit.expect("a surface was hit");
         let surface = surface_at(&eval, accel, &found, origin, direction);
         let mut vertex = black_vertex_at(&surface, direction);
         add_lobes(&eval, accel, &surface, &mut vertex);
-        let mut next = Look {
+        let mut next = SidePath {
             weight: Rgb::zero(),
-            left: look.left - found.t,
-            ..look
+            left: path.left - found.t,
+            ..path
         };
         // All lobes with this event send light the same way.
         let events = vertex.bsdf.events(vertex.wi);
         for event in events.filter(|specular| specular.event == event) {
-            let ([_, direction], fraction) = vertex.specular(event, look.ray);
-            next.weight += look.weight * fraction;
+            let ([_, direction], fraction) = vertex.specular(event, path.ray);
+            next.weight += path.weight * fraction;
             next.ray = [vertex.position, direction];
         }
         next.hit = accel.first_hit(next.ray[0], next.ray[1]);
@@ -215,7 +215,7 @@ impl Tracer<'_> {
 
 /// Where a path to one side of an edge is.
 #[derive(Clone, Copy)]
-struct Look {
+struct SidePath {
     /// What light from there is multiplied by.
     weight: Rgb,
     ray: [Vec3; 2],
@@ -225,7 +225,7 @@ struct Look {
 }
 
 /// The face that both of two paths hit before the edge, where one of them does.
-fn one_nearer_face(looks: &[Look; 2]) -> Option<Hit> {
-    let [one, other] = looks.map(|look| look.hit.filter(|hit| hit.t < look.left));
+fn one_nearer_face(paths: &[SidePath; 2]) -> Option<Hit> {
+    let [one, other] = paths.map(|path| path.hit.filter(|hit| hit.t < path.left));
     one.filter(|one| other.is_some_and(|other| one.face == other.face))
 }

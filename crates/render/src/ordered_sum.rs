@@ -79,8 +79,8 @@ impl<T: Accumulate> OrderedSum<T> {
         let (mut first, mut node) = (first, node);
         loop {
             let sibling = first ^ node.count;
-            let is_there = |other: &Node<T>| other.count == node.count;
-            if !self.nodes.get(&sibling).is_some_and(is_there) {
+            let is_sibling = |other: &Node<T>| other.count == node.count;
+            if !self.nodes.get(&sibling).is_some_and(is_sibling) {
                 self.nodes.insert(first, node);
                 return Ok(());
             }

@@ -83,11 +83,11 @@ impl<T: Accumulate> Partial<T> {
         if (self.work, self.grid) != (work, grid) {
             return Err(PartError::DifferentWork);
         }
-        let there = self.cells().len() as u64;
+        let present = self.cells().len() as u64;
         let of = u64::from(grid.batches) * u64::from(grid.bands);
-        if there < of {
+        if present < of {
             return Err(PartError::Missing {
-                cells: of - there,
+                cells: of - present,
                 of,
             });
         }

@@ -68,9 +68,9 @@ impl RectangleSampler {
             // The weight of a corner is 1 there and 0 at both others.
             let [p, q, r] = [p, q, r].map(|p| sides.map(|side| (p - corner).dot(side)));
             let weight = |own: [f64; 2], [[x, y], others]: [[f64; 2]; 2]| {
-                let slope = [others[1] - y, x - others[0]];
-                let scale = 1.0 / (slope[0] * (own[0] - x) + slope[1] * (own[1] - y));
-                let [a, b] = slope.map(|slope| slope * scale);
+                let gradient = [others[1] - y, x - others[0]];
+                let scale = 1.0 / (gradient[0] * (own[0] - x) + gradient[1] * (own[1] - y));
+                let [a, b] = gradient.map(|gradient| gradient * scale);
                 [-a * x - b * y, a, b]
             };
             [weight(q, [p, r]), weight(r, [p, q])]

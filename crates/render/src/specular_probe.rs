@@ -33,7 +33,7 @@ const SIDE: u32 = 16;
 /// the image is met by three of the others.
 const AIMED: u32 = 256;
 /// Points of what moves of which one must be in the image, for the camera's field to move its rays.
-const LOOKS: u32 = 64;
+const CAMERA_SAMPLES: u32 = 64;
 /// Most vertices of a path that scatter light otherwise than by specular events. Farther on the same
 /// surfaces are met.
 const MOST_BOUNCES: u32 = 3;
@@ -153,8 +153,8 @@ impl<'a> SpecularProbe<'a> {
             moves_curves: motion.moves_curves,
             of_camera: 0,
         };
-        let sees = |look: u32| probe.camera_sees_motion(&mut Random::new(u64::from(look)));
-        if motion.moves_curves && (0..LOOKS).any(sees) {
+        let sees = |number: u32| probe.camera_sees_motion(&mut Random::new(u64::from(number)));
+        if motion.moves_curves && (0..CAMERA_SAMPLES).any(sees) {
             probe.of_camera = CAMERA_FIELD;
         }
         Some(probe)
@@ -171,7 +171,7 @@ impl<'a> SpecularProbe<'a> {
     /// What a path finds.
     pub fn path<R: Real, W: SceneEval<R>>(&self, eval: &W, path: u32) -> UncoveredEvents {
         let mut found = UncoveredEvents::default();
-        let mut random = Random::new(u64::from(LOOKS + path));
+        let mut random = Random::new(u64::from(CAMERA_SAMPLES + path));
         let view = self.view(eval, &random);
         let film = match path.checked_sub(SIDE * SIDE) {
             None => {

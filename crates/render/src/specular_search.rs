@@ -146,18 +146,18 @@ impl SpecularProbe<'_> {
 fn newton_step(
     error: impl Fn(Vec3) -> Option<Vec3>,
     direction: Vec3,
-    here: Vec3,
+    value: Vec3,
     short: f64,
 ) -> Option<Vec3> {
     let frame = Frame::from_normal(direction);
     let derivative = |axis: Vec3| {
-        let there = error((direction + axis * short).normalized())?;
-        Some((there - here) * (1.0 / short))
+        let moved = error((direction + axis * short).normalized())?;
+        Some((moved - value) * (1.0 / short))
     };
     let (a, b) = (derivative(frame.s)?, derivative(frame.t)?);
     // Least squares.
     let (aa, ab, bb) = (a.dot(a), a.dot(b), b.dot(b));
-    let (ar, br) = (a.dot(here), b.dot(here));
+    let (ar, br) = (a.dot(value), b.dot(value));
     let scale = -1.0 / (aa * bb - ab * ab);
     let step = (frame.s * (bb * ar - ab * br) + frame.t * (aa * br - ab * ar)) * scale;
     step.is_finite().then_some(step)

@@ -478,8 +478,8 @@ mod tests {
                     let position = viewpoint + point.direction * distance;
                     let [a, b, c] = mesh.corners(point.face as usize);
                     let [wb, wc] = point.barycentric;
-                    let there = a + (b - a) * wb + (c - a) * wc;
-                    assert!((there - position).length() < 1e-9 * distance, "{name}");
+                    let mixed = a + (b - a) * wb + (c - a) * wc;
+                    assert!((mixed - position).length() < 1e-9 * distance, "{name}");
                     let pdf = sampler.pdf(viewpoint, point.face, point.direction, distance);
                     assert!((pdf / point.pdf - 1.0).abs() < 1e-9, "{name}");
                     let weight = 1.0 / (point.pdf * f64::from(n));

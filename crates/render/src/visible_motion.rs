@@ -15,7 +15,7 @@ const NEAR: f64 = 1e-6;
 const SAME_DIRECTION: f64 = 1e-9;
 
 impl SpecularProbe<'_> {
-    /// True if the camera sees a boundary move, as far as one look shows.
+    /// True if the camera sees a boundary move, as far as one sample shows.
     pub(crate) fn camera_sees_motion(&self, random: &mut Random) -> bool {
         let accel = self.tracer.accel;
         let view = &accel.view;
@@ -23,10 +23,10 @@ impl SpecularProbe<'_> {
             self.film_point_of(view, point)?;
             Some(accel.camera_ray(view.origin, view.towards(point).normalized()))
         };
-        self.looks(launch, !view.is_parallel(), random)
+        self.samples_motion(launch, !view.is_parallel(), random)
     }
 
-    /// True if a point on a surface sees a boundary move, as far as one look shows.
+    /// True if a point on a surface sees a boundary move, as far as one sample shows.
     pub(crate) fn sees_motion(&self, vertex: &Vertex<f64>, random: &mut Random) -> bool {
         let launch = |point: Vec3| {
             let offset = point - vertex.position;
@@ -37,12 +37,12 @@ impl SpecularProbe<'_> {
                 .surface_ray(vertex.position, offset.normalized());
             (is_before || vertex.transmits).then_some(ray)
         };
-        self.moves_curves && self.looks(launch, true, random)
+        self.moves_curves && self.samples_motion(launch, true, random)
     }
 
     /// Looks at one point of what moves, straight and by a flat mirror if there are any. `launch` is
     /// the ray to a point, if it can be seen there.
-    fn looks(
+    fn samples_motion(
         &self,
         launch: impl Fn(Vec3) -> Option<Ray>,
         by_mirrors: bool,
@@ -102,8 +102,8 @@ impl SpecularProbe<'_> {
         };
         let at = ray.origin + ray.direction * hit.t;
         let onward = reflected(ray.direction, normal(hit.face as usize));
-        let leads_there = onward.dot((point - at).normalized()) > 1.0 - SAME_DIRECTION;
+        let leads_to_point = onward.dot((point - at).normalized()) > 1.0 - SAME_DIRECTION;
         let is_mirror = accel.is_flat_mirror(accel.shape_of(&hit));
-        is_mirror && leads_there && self.arrives(accel.surface_ray(at, onward), point)
+        is_mirror && leads_to_point && self.arrives(accel.surface_ray(at, onward), point)
     }
 }

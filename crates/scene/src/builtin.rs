@@ -41,7 +41,7 @@ pub const ALL: [Builtin; 4] = [
     },
     Builtin {
         name: "box-room",
-        description: "a box in a room under a lamp (after figure 9 of the paper)",
+        description: "a box in a room under an emitter (after figure 9 of the paper)",
         default_parameter: "box.translate.x",
         make: box_room::scene,
     },
@@ -150,7 +150,7 @@ mod tests {
 
     /// The emitter is above everything, faces down, and the floor faces up.
     #[test]
-    fn lamps_face_down_and_floors_up() {
+    fn emitters_face_down_and_floors_up() {
         for name in names() {
             let scene = scene(name).expect("it is listed");
             let normal = |id: &str| {

@@ -204,7 +204,7 @@ impl Emitter {
     }
 
     /// The image that it projects and the name of its slot, if it has one.
-    pub fn picture(&self) -> Option<(&'static str, TextureId)> {
+    pub fn projected_image(&self) -> Option<(&'static str, TextureId)> {
         match self {
             Self::Projector { irradiance, .. } => Some(("irradiance", *irradiance)),
             Self::Spot { texture, .. } => texture.map(|texture| ("texture", texture)),

@@ -3,7 +3,7 @@
 //!
 //! Everything that can be seen or cast a shadow is a mesh here, so that one
 //! set of silhouette queries serves all. Curved silhouettes are tessellated until
-//! they deviate by less than [`OUTLINE_ERROR`].
+//! they deviate by less than [`SILHOUETTE_ERROR`].
 
 mod icosphere;
 mod rings;
@@ -14,7 +14,7 @@ mod uv;
 pub use icosphere::icosphere;
 pub use rings::{ControlPoint, CurveKind};
 pub use tessellated::{
-    CYLINDER_TRIANGLES, DISK_TRIANGLES, OUTLINE_ERROR, SPHERE_DIVISION, cube, cylinder, disk,
+    CYLINDER_TRIANGLES, DISK_TRIANGLES, SILHOUETTE_ERROR, SPHERE_DIVISION, cube, cylinder, disk,
     divided_sphere, rectangle, sphere, sphere_error, sphere_triangles,
 };
 pub use tube::{TubeError, tubes};

@@ -159,8 +159,8 @@ impl Scene {
             for slot in emitter.slots() {
                 self.check_range(slot.texture, slot.quantity)?;
             }
-            if let Some((slot, picture)) = emitter.picture() {
-                self.check_picture(&format!("{}.{slot}", emitter.name(self)), picture)?;
+            if let Some((slot, image)) = emitter.projected_image() {
+                self.check_projected_image(&format!("{}.{slot}", emitter.name(self)), image)?;
             }
             if let Emitter::Spot {
                 cutoff_angle,
@@ -174,7 +174,7 @@ impl Scene {
                     return Err(beam.bad_number(beam.parts()[0], 0, "less than the cutoff_angle"));
                 }
                 if texture.is_some() && cutoff.data[0] >= 90.0 {
-                    let expected = "less than 90 degrees, because the light throws a picture";
+                    let expected = "less than 90 degrees, because the light throws an image";
                     return Err(cutoff.bad_number(cutoff.parts()[0], 0, expected));
                 }
             }
@@ -203,8 +203,8 @@ impl Scene {
     }
 
     /// Checks that a texture depends on texture coordinates at most.
-    fn check_picture(&self, name: &str, picture: TextureId) -> Result<(), SceneError> {
-        let texture = self.texture(picture);
+    fn check_projected_image(&self, name: &str, image: TextureId) -> Result<(), SceneError> {
+        let texture = self.texture(image);
         if texture.is_constant() || texture.needs_uv() {
             return Ok(());
         }

@@ -227,7 +227,7 @@ impl<D: Domain, R: Fn(u32) -> f64> Walker<'_, D, R> {
             if step == 0 {
                 return Some(nearest.site);
             }
-            // Otherwise it jumps to a uniform point of the largest empty ball, Eqs. (20)
+            // Otherwise it steps to a uniform point of the largest empty ball, Eqs. (20)
             // and (32).
             known = Some(nearest);
             let radius = nearest.distance.min(max_radius);

@@ -1,5 +1,5 @@
-//! The fields against closed forms: a moving boundary's flux through a smooth
-//! window is known by quadrature, and must equal the area integral of the
+//! The fields against closed forms: the boundary term of a smooth window is
+//! known by quadrature, and must equal the area integral of the
 //! window over the field (the divergence theorem, Eq. 3).
 
 use capwalk_geometry::{Edge, Mesh, SilhouettePoint, SilhouetteTree, topology};
@@ -67,7 +67,7 @@ impl Moving {
         sides.iter().all(|&s| s > 0.0) || sides.iter().all(|&s| s < 0.0)
     }
 
-    /// `-∮ w u·n dl` over the outline: derivative of the window's integral
+    /// `-∮ w u·n dl` over the boundary: derivative of the window's integral
     /// over the directions that miss the triangle.
     fn exact(&self, window: impl Fn(Vec3) -> f64) -> f64 {
         let p = &self.mesh.positions;
@@ -95,14 +95,14 @@ impl Moving {
 }
 
 #[test]
-fn field_carries_the_boundary_flux() {
+fn field_has_the_boundary_term() {
     let scene = Moving::example();
     let domain = scene.domain();
-    // A smooth window, zero with its slope at the rim of a cap around +z.
+    // A smooth window, zero with its gradient at the rim of a cap around +z.
     let cap: f64 = 1.1;
     let depth = |q: Vec3| (q.z - cap.cos()).max(0.0);
     let window = |q: Vec3| depth(q).powi(2) * (1.0 + q.x);
-    let slope = |q: Vec3| Vec3::new(depth(q).powi(2), 0.0, 2.0 * depth(q) * (1.0 + q.x));
+    let gradient = |q: Vec3| Vec3::new(depth(q).powi(2), 0.0, 2.0 * depth(q) * (1.0 + q.x));
     let exact = scene.exact(window);
     for (steps, max_radius, antithetic, n) in [
         (1, 0.6, false, 600_000),
@@ -127,7 +127,7 @@ fn field_carries_the_boundary_flux() {
             }
             let field = sample_field(&domain, q, &settings, number);
             let (mean, divergence) = field.evaluate(|site| scene.velocity(site));
-            let integrand = slope(q).dot(mean.reject_from(q)) + window(q) * divergence;
+            let integrand = gradient(q).dot(mean.reject_from(q)) + window(q) * divergence;
             moments.add(integrand / sphere::cap_pdf(cap));
         }
         let error = moments.standard_error();
@@ -251,7 +251,7 @@ fn directional_derivative_is_that_of_the_mean() {
             let field = sample_field(&domain, q, &settings, |i| u[i as usize]);
             field.directional_derivative(d, velocity)
         });
-        // The quadrature meets jumps: it is good to a few parts in a hundred.
+        // The quadrature meets discontinuities: it is good to a few parts in a hundred.
         let error = (found - expected).length();
         assert!(error < 0.05, "at {q:?}: {found:?} against {expected:?}");
         assert!(expected.length() > 0.2, "nothing to see at {q:?}");
@@ -281,7 +281,7 @@ fn derivatives_are_differences_of_the_field() {
             estimator,
             antithetic: false,
         };
-        let mut slope = Moments::default();
+        let mut derivative = Moments::default();
         for i in 0..100_000 {
             let random = |d| number(7, i, d);
             let at = angle * random(99);
@@ -289,7 +289,7 @@ fn derivatives_are_differences_of_the_field() {
             // The direction of travel at q, of length `angle`.
             let along = (e * at.cos() - a * at.sin()) * angle;
             let field = sample_field(&domain, q, &settings, random);
-            slope.add(field.directional_derivative(along, velocity).dot(onto));
+            derivative.add(field.directional_derivative(along, velocity).dot(onto));
         }
         let end = |q: Vec3, set: u64| {
             let mut moments = Moments::default();
@@ -303,8 +303,8 @@ fn derivatives_are_differences_of_the_field() {
         let error = ahead.standard_error().hypot(behind.standard_error());
         let expected = ahead.mean - behind.mean;
         let what = format!("M = {steps}, A ≤ {max_radius}, {estimator:?}");
-        assert_mean(&slope, expected, 4.0 * error, &what);
-        let noise = slope.standard_error().hypot(error);
+        assert_mean(&derivative, expected, 4.0 * error, &what);
+        let noise = derivative.standard_error().hypot(error);
         assert!(
             expected.abs() > 15.0 * noise,
             "{what}: {expected} ± {noise}"

@@ -39,10 +39,10 @@ def filter_type(texture: Any, data: Array) -> str | None:
     row, column, channel = _largest(steps[0] if horizontal else steps[1])
     shift = (0.25, 0.0) if horizontal else (0.0, 0.25)
     found = _look_up(texture, data.shape, column + shift[0], row + shift[1])[channel]
-    here = data[row, column, channel]
-    there = data[row, column + 1, channel] if horizontal else data[row + 1, column, channel]
+    texel = data[row, column, channel]
+    neighbour = data[row, column + 1, channel] if horizontal else data[row + 1, column, channel]
     return (
-        "nearest" if abs(found - here) < abs(found - (0.75 * here + 0.25 * there)) else "bilinear"
+        "nearest" if abs(found - texel) < abs(found - (0.75 * texel + 0.25 * neighbour)) else "bilinear"
     )
 
 

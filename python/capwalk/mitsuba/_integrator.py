@@ -84,11 +84,11 @@ class _View:
                 variable = value.matrix if hasattr(value, "inverse_transpose") else value
                 if not dr.grad_enabled(variable):
                     continue
-                here = by_place.get((owner, key), [])
-                yield from ((number, variable) for number in here)
+                attached = by_place.get((owner, key), [])
+                yield from ((number, variable) for number in attached)
                 # Flat faces have their normals from the vertices.
                 follows = key == "vertex_normals" and dr.grad_enabled(values["vertex_positions"])
-                if not here and not follows:
+                if not attached and not follows:
                     raise ParameterError(
                         f"{path}.{key} has no derivative in capwalk; disable its gradient"
                     )
@@ -196,8 +196,8 @@ def integrator_class() -> Any:
             if not along:
                 width, height = (int(n) for n in view.sensor.film().crop_size())
                 return view.image(np.zeros((height, width, 3)))
-            slope = gradient(view.scene, along, **view.sampling(seed, spp), **self._how)
-            return view.image(slope.gradient)
+            derivative = gradient(view.scene, along, **view.sampling(seed, spp), **self._how)
+            return view.image(derivative.gradient)
 
         def render_backward(
             self,

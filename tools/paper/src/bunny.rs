@@ -103,9 +103,9 @@ fn ellipsoid(part: &Part, p: Vec3) -> f64 {
     let r = Vec3::from(part.radii);
     let once = Vec3::new(q.x / r.x, q.y / r.y, q.z / r.z);
     let twice = Vec3::new(once.x / r.x, once.y / r.y, once.z / r.z);
-    let (k, slope) = (once.length(), twice.length());
-    match slope > 0.0 {
-        true => k * (k - 1.0) / slope,
+    let (k, steepness) = (once.length(), twice.length());
+    match steepness > 0.0 {
+        true => k * (k - 1.0) / steepness,
         // At its centre.
         false => -r.x.min(r.y).min(r.z),
     }

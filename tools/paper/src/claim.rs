@@ -212,7 +212,7 @@ pub fn all(verdicts: impl IntoIterator<Item = Verdict>) -> Verdict {
     verdict
 }
 
-/// That a derivative picture is that of its reference.
+/// That a derivative image is that of its reference.
 pub fn of_check(comparison: &check::Comparison) -> Verdict {
     match &comparison.verdict {
         check::Verdict::Right => Verdict::Holds,
@@ -229,7 +229,7 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
     }
 }
 
-/// That a derivative picture is not that of its reference.
+/// That a derivative image is not that of its reference.
 pub fn of_deviation(comparison: &check::Comparison) -> Verdict {
     match of_check(comparison) {
         Verdict::DoesNotHold(_) => Verdict::Holds,
@@ -238,9 +238,9 @@ pub fn of_deviation(comparison: &check::Comparison) -> Verdict {
     }
 }
 
-/// What a comparison of pictures found, in one line.
+/// What a comparison of images found, in one line.
 pub fn in_words(comparison: &check::Comparison) -> String {
-    let slope = Measured {
+    let factor = Measured {
         value: comparison.scale_factor,
         error: comparison.scale_factor_error,
     };
@@ -248,7 +248,7 @@ pub fn in_words(comparison: &check::Comparison) -> String {
         value: comparison.mean_z_squared,
         error: comparison.mean_z_squared_error,
     };
-    format!("best factor {slope}, mean z² {z_squared}")
+    format!("best factor {factor}, mean z² {z_squared}")
 }
 
 #[cfg(test)]

@@ -59,8 +59,8 @@ fn draw(plot: &Plot, area: &Area) -> Drawing {
 /// The points of a curve that the axes have.
 fn drawn<'a>(plot: &Plot, curve: &'a Curve) -> impl Iterator<Item = &'a [f64; 3]> + Clone {
     let logarithmic = plot.scale.logarithmic();
-    let there = move |point: &&[f64; 3]| (0..2).all(|axis| !logarithmic[axis] || point[axis] > 0.0);
-    curve.points.iter().filter(there)
+    let is_on = move |point: &&[f64; 3]| (0..2).all(|axis| !logarithmic[axis] || point[axis] > 0.0);
+    curve.points.iter().filter(is_on)
 }
 
 /// Axes, curves with bands of two standard errors, names.

@@ -104,8 +104,8 @@ pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Fail
     let reaches = reach::measure(subject, 100, settings)?;
 
     let limit = robust_limit([&reference.gradient().mean]);
-    let picture = Shown {
-        title: "picture".into(),
+    let image = Shown {
+        title: "image".into(),
         image: reference.image.value.mean.clone(),
         style: Style::Photographic { exposure: 0.0 },
     };
@@ -131,8 +131,8 @@ pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Fail
     let below: Vec<_> = below.collect();
     Ok(Figure {
         rows: vec![
-            Row::Pictures([vec![picture], shown(&above, limit)].concat()),
-            Row::Pictures(shown(&below, limit)),
+            Row::Images([vec![image], shown(&above, limit)].concat()),
+            Row::Images(shown(&below, limit)),
         ],
         tables: vec![
             table(&compared),
@@ -239,7 +239,7 @@ fn order(smaller: &Compared, larger: &Compared, reference: &Run, reaches: &[Reac
     };
     match claim::positive(gain) {
         Verdict::DoesNotHold(_) => Verdict::DoesNotHold(format!(
-            "{}{reach}; a picture of zeros has {}",
+            "{}{reach}; an image of zeros has {}",
             noise_and_bias(smaller, larger),
             mean_size(reference.gradient())
         )),
@@ -316,17 +316,17 @@ mod tests {
     use capwalk_math::Rgb;
     use capwalk_scene::Image;
 
-    /// A picture of noise of this size around a chessboard.
+    /// An image of noise of this size around a chessboard.
     fn run(noise: f64, seed: u64) -> Run {
-        let picture = |pixel: &dyn Fn(u64) -> f64| Image {
+        let image = |pixel: &dyn Fn(u64) -> f64| Image {
             width: 16,
             height: 16,
             pixels: (0..256).map(|i| Rgb::splat(pixel(i))).collect(),
         };
         let error = |i| 2.0 * noise * (crate::random::random([seed, i, 0, 0]) - 0.5);
         let gradient = Estimate {
-            mean: picture(&|i| f64::from(i as u32 % 2) + error(i)),
-            standard_error: picture(&|_| noise / 3_f64.sqrt()),
+            mean: image(&|i| f64::from(i as u32 % 2) + error(i)),
+            standard_error: image(&|_| noise / 3_f64.sqrt()),
         };
         Run {
             image: GradientImage {

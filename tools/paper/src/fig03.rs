@@ -44,7 +44,7 @@ impl Construction {
         };
         let field = WeightedAverage::default();
         match self {
-            Self::Average => field.value_and_slope(x),
+            Self::Average => field.value_and_derivative(x),
             Self::Ratio(points) => field.estimate(x, (0..points).map(|i| 2.0 * number(i))),
             Self::Harmonic => {
                 let settings = ShellSettings {
@@ -75,14 +75,14 @@ impl Construction {
         };
         let points = (0..POINTS).into_par_iter().map(|i| {
             let x = (i as f64 + 0.5) / POINTS as f64;
-            let [mut value, mut slope] = [Moments::default(); 2];
+            let [mut value, mut derivative] = [Moments::default(); 2];
             for k in 0..samples {
                 let number = |d: u32| random([settings.seed, i, k, u64::from(d)]);
                 let (v, dv) = self.sample(x, number);
                 value.add(v);
-                slope.add(dv);
+                derivative.add(dv);
             }
-            [value, slope].map(|moments| {
+            [value, derivative].map(|moments| {
                 let error = moments.standard_error();
                 [x, moments.mean, if error.is_nan() { 0.0 } else { error }]
             })

@@ -18,7 +18,7 @@ use crate::walk::plane::{CurvePoint, Plane};
 /// Half the distance of the points of a difference.
 const STEP: f64 = 0.004;
 
-/// A boundary value problem, as a picture.
+/// A boundary value problem, as an image.
 trait Problem: Sync {
     type Domain: Domain;
     /// The space and its boundary.
@@ -121,13 +121,13 @@ impl<'a> Problem for &'a Spherical {
 }
 
 /// Field, derivative, and difference; zero where there is nothing to compare.
-struct Pictures {
+struct Images {
     value: Image,
     derivative: Estimate,
     difference: Estimate,
 }
 
-fn pictures<P: Problem>(problem: &P, steps: u32, settings: &Settings) -> Pictures {
+fn images<P: Problem>(problem: &P, steps: u32, settings: &Settings) -> Images {
     let size = settings.quality.choose(16, 96, 256);
     let samples = settings.quality.choose(40, 250, 2_000);
     let walk = WalkSettings {
@@ -154,10 +154,10 @@ fn pictures<P: Problem>(problem: &P, steps: u32, settings: &Settings) -> Picture
                         random([settings.seed + (set << 32), pixel, i, u64::from(d)])
                     };
                     let field = sample_field(&domain, place.point, &walk, |d| address(1, d));
-                    let (value, slope) = field.scalar(P::value);
+                    let (value, gradient) = field.scalar(P::value);
                     sums[0].add(value);
                     if !near {
-                        sums[1].add(capwalk_walk::Vector::dot(slope, place.direction));
+                        sums[1].add(capwalk_walk::Vector::dot(gradient, place.direction));
                         let [ahead, behind] = ends.map(|x| {
                             let site = sample_value(&domain, x, &walk, |d| address(2, d));
                             site.as_ref().map_or(0.0, P::value)
@@ -182,7 +182,7 @@ fn pictures<P: Problem>(problem: &P, steps: u32, settings: &Settings) -> Picture
             standard_error: image(&|m| if m.count < 2 { 0.0 } else { m.standard_error() }),
         }
     };
-    Pictures {
+    Images {
         value: estimate(0).mean,
         derivative: estimate(1),
         difference: estimate(2),
@@ -203,12 +203,10 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     };
     let spherical = Spherical::new();
     for steps in 1..=3 {
-        let flat = stage(settings, "plane", || pictures(&Flat, steps, settings))?;
-        let round = stage(settings, "sphere", || {
-            pictures(&&spherical, steps, settings)
-        })?;
-        for (name, equation, pictures) in [("plane", "(27)", flat), ("sphere", "(34)", round)] {
-            let comparison = check::compare(&pictures.derivative, &pictures.difference);
+        let flat = stage(settings, "plane", || images(&Flat, steps, settings))?;
+        let round = stage(settings, "sphere", || images(&&spherical, steps, settings))?;
+        for (name, equation, images) in [("plane", "(27)", flat), ("sphere", "(34)", round)] {
+            let comparison = check::compare(&images.derivative, &images.difference);
             let verdict = claim::of_check(&comparison);
             let words = claim::in_words(&comparison);
             figure.claims.push(Claim {
@@ -223,33 +221,29 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                 verdict,
             });
             if steps == 1 {
-                figure.rows.push(Row::Pictures(shown(&pictures)));
+                figure.rows.push(Row::Images(shown(&images)));
             }
         }
     }
     Ok(figure)
 }
 
-fn shown(pictures: &Pictures) -> Vec<Shown> {
+fn shown(images: &Images) -> Vec<Shown> {
     let shown = |title: &str, image: &Image, limit: f64| Shown {
         title: title.into(),
         image: image.clone(),
         style: Style::Diverging { limit },
     };
-    let slopes = [&pictures.derivative.mean, &pictures.difference.mean];
-    let limit = robust_limit(slopes);
+    let derivatives = [&images.derivative.mean, &images.difference.mean];
+    let limit = robust_limit(derivatives);
     vec![
-        shown(
-            "(a) values",
-            &pictures.value,
-            robust_limit([&pictures.value]),
-        ),
-        shown("(b) derivative", slopes[0], limit),
-        shown("(c) differences", slopes[1], limit),
+        shown("(a) values", &images.value, robust_limit([&images.value])),
+        shown("(b) derivative", derivatives[0], limit),
+        shown("(c) differences", derivatives[1], limit),
     ]
 }
 
-/// A stage without pictures of its own: it can only be stopped at its end.
+/// A stage without images of its own: it can only be stopped at its end.
 fn stage<T>(
     settings: &Settings,
     name: &'static str,

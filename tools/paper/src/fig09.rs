@@ -7,9 +7,9 @@ use crate::gradients::Subject;
 use crate::reach;
 use crate::settings::{Failure, Settings};
 
-/// Half the distance of differences for a picture 256 pixels wide: an eightieth of a
+/// Half the distance of differences for an image 256 pixels wide: an eightieth of a
 /// pixel. Over a tenth, sides of the box that run nearly along a column of pixels
-/// leave it for the next, and differences are off by half of their jump.
+/// leave it for the next, and differences are off by half of the discontinuity.
 const STEP: f64 = 2e-4;
 
 pub fn draw(settings: &Settings) -> Result<Figure, Failure> {

@@ -57,16 +57,16 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     }
 
     let limit = robust_limit([&reference.gradient().mean]);
-    let mut pictures = vec![("reference".into(), reference.gradient())];
+    let mut images = vec![("reference".into(), reference.gradient())];
     for (steps, run, error) in &runs {
         let title = format!(
             "M = {steps}, {} samples, L1 {}",
             run.spp,
             digits(error.value)
         );
-        pictures.push((title, run.gradient()));
+        images.push((title, run.gradient()));
     }
-    let rows = vec![Row::Pictures(shown(&pictures, limit))];
+    let rows = vec![Row::Images(shown(&images, limit))];
     let lines = runs
         .iter()
         .zip(PAPER)
@@ -96,7 +96,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
             statement: "Figure 10: at equal time, more than one step does not pay".into(),
             paper: "mean L1 0.017, 0.028 (1.6 times), 0.041 (2.4 times) for M = 1, 2, 4".into(),
             ours: format!(
-                "{one}, {two} ({} times), {four} ({} times); a picture of zeros has {}",
+                "{one}, {two} ({} times), {four} ({} times); an image of zeros has {}",
                 two.over(one),
                 four.over(one),
                 mean_size(reference.gradient())

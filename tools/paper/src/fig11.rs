@@ -112,14 +112,14 @@ fn draw_case(
         ours: claim::in_words(&found),
         verdict,
     });
-    let mut pictures = vec![
+    let mut images = vec![
         ("finite differences".to_owned(), difference.gradient()),
         ("ours".to_owned(), ours.gradient()),
     ];
     match &edges {
         Ok(run) => {
             line(rows, "edges", run.gradient(), run.seconds);
-            pictures.push(("edges".to_owned(), run.gradient()));
+            images.push(("edges".to_owned(), run.gradient()));
         }
         Err(reason) => rows.push(vec![
             case.name.into(),
@@ -132,14 +132,14 @@ fn draw_case(
     match &projective {
         Projective::Done {
             gradient,
-            picture,
+            image,
             seconds,
         } => {
             line(rows, "projective sampling", gradient, *seconds);
-            pictures.push(("projective sampling (Mitsuba)".to_owned(), gradient));
+            images.push(("projective sampling (Mitsuba)".to_owned(), gradient));
             figure.claims.push(projective_claim(
                 case,
-                [gradient, picture],
+                [gradient, image],
                 &ours,
                 &difference,
             ));
@@ -152,7 +152,7 @@ fn draw_case(
         }),
     }
     let limit = robust_limit([&ours.gradient().mean]);
-    figure.rows.push(Row::Pictures(shown(&pictures, limit)));
+    figure.rows.push(Row::Images(shown(&images, limit)));
     Ok(())
 }
 
@@ -166,7 +166,7 @@ fn statement(case: &Case) -> String {
 /// What the other method misses: everything in the mirror, something without.
 fn projective_claim(
     case: &Case,
-    [gradient, picture]: [&Estimate; 2],
+    [gradient, image]: [&Estimate; 2],
     ours: &Run,
     difference: &Run,
 ) -> Claim {
@@ -184,19 +184,19 @@ fn projective_claim(
     };
     // A scene that it sees otherwise says nothing about its derivatives.
     let images = [&ours.image.value, &difference.image.value];
-    let seen = part(picture, images[0], images[1]);
+    let seen = part(image, images[0], images[1]);
     Claim {
         statement: statement(case),
         paper: "figure 11, by eye".into(),
         ours: text,
         verdict: match (seen.value - 1.0).abs() < 0.05 {
             true => verdict,
-            false => Verdict::Inconclusive(format!("its picture is {seen} times ours")),
+            false => Verdict::Inconclusive(format!("its image is {seen} times ours")),
         },
     }
 }
 
-/// How much of a picture another one has: its product with one estimate of it, over
+/// How much of an image another one has: its product with one estimate of it, over
 /// the product of two that are independent.
 fn part(of: &Estimate, one: &Estimate, two: &Estimate) -> Measured {
     let product = |a: &Image, b: &Image| -> f64 {

@@ -32,8 +32,8 @@ struct Search {
 struct Found {
     /// Loss with its error, iteration by iteration.
     losses: Vec<Measured>,
-    /// The last picture.
-    picture: Image,
+    /// The last image.
+    image: Image,
     /// [`shape_error`] of the shape.
     error: f64,
     /// This error where the last third of the iterations began.
@@ -55,7 +55,7 @@ const SEEDS: u64 = 5;
 struct Effort {
     size: [u32; 2],
     iterations: u32,
-    /// Samples per pixel of the picture, and of the gradient.
+    /// Samples per pixel of the image, and of the gradient.
     spp: u32,
 }
 
@@ -102,11 +102,11 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         style: Style::Photographic { exposure: 0.0 },
     };
     let rows = vec![
-        Row::Pictures(vec![
+        Row::Images(vec![
             photo("(a) target", &target.value.mean),
             photo("(b) start", &disk.value.mean),
-            photo("(c) found by ours", &searches[0].runs[0].picture),
-            photo("(c) found by WAS", &searches[1].runs[0].picture),
+            photo("(c) found by ours", &searches[0].runs[0].image),
+            photo("(c) found by WAS", &searches[1].runs[0].image),
         ]),
         Row::Plots(vec![Plot {
             title: "(d) loss".into(),
@@ -147,11 +147,11 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
     Ok(Figure {
         caption: format!(
             "The rim of a disk with {RIM} vertices, {} unknowns, looked for by {} steps of Adam (rate \
-             {RATE}, falling to a tenth, so that both methods slow down towards the end) from the picture of its shadow, {} × {} pixels, {} samples \
-             each for picture and gradient; {seeds} seeds for each method, the first one shown. Losses \
-             are mean squared differences, averaged over three sizes of the pictures, without what \
-             the picture's noise adds, so that they may be below zero: the logarithmic axis is \
-             without {} of the {} of ours and {} of those of WAS. The shape error is the area that only one of the outlines \
+             {RATE}, falling to a tenth, so that both methods slow down towards the end) from the image of its shadow, {} × {} pixels, {} samples \
+             each for image and gradient; {seeds} seeds for each method, the first one shown. Losses \
+             are mean squared differences, averaged over three sizes of the images, without what \
+             the image's noise adds, so that they may be below zero: the logarithmic axis is \
+             without {} of the {} of ours and {} of those of WAS. The shape error is the area that only one of the contours \
              found and wanted encloses, over that of the disk and the flower; the distance of \
              vertices is over that of the disk's, too.",
             2 * RIM,
@@ -390,10 +390,10 @@ fn find(
             Ok(next) => state = next,
             Err(Stop::Done) => {
                 let found = shape(&state)?;
-                let picture = iteration.images.into_iter().next();
+                let image = iteration.images.into_iter().next();
                 return Ok(Found {
                     losses,
-                    picture: picture.expect("there is one view"),
+                    image: image.expect("there is one view"),
                     error: shape_error(&found, size)?,
                     earlier,
                     distance: vertex_distance(&found, size)?,

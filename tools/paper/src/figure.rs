@@ -1,4 +1,4 @@
-//! What a figure is: pictures, curves, tables and claims.
+//! What a figure is: images, curves, tables and claims.
 
 use capwalk_scene::Image;
 use capwalk_scene_io::image::Style;
@@ -15,7 +15,7 @@ pub struct Figure {
     pub title: &'static str,
     /// What was measured, and how.
     pub caption: String,
-    /// Pictures and curves, laid out as in the paper.
+    /// Images and curves, laid out as in the paper.
     pub rows: Vec<Row>,
     /// Numbers.
     pub tables: Vec<Table>,
@@ -32,13 +32,13 @@ pub struct Figure {
 /// What stands side by side.
 #[derive(Clone, Debug)]
 pub enum Row {
-    /// Pictures.
-    Pictures(Vec<Shown>),
+    /// Images.
+    Images(Vec<Shown>),
     /// Curves.
     Plots(Vec<Plot>),
 }
 
-/// A picture with its title.
+/// An image with its title.
 #[derive(Clone, Debug)]
 pub struct Shown {
     /// What stands below it, for example "(a) ours".

@@ -1,4 +1,4 @@
-//! Derivative pictures by several methods, their times, and how far they are
+//! Derivative images by several methods, their times, and how far they are
 //! from a reference.
 
 use std::borrow::Cow;
@@ -96,7 +96,7 @@ impl Subject {
     }
 }
 
-/// A derivative picture and what it cost.
+/// A derivative image and what it cost.
 pub struct Run {
     pub image: GradientImage,
     pub spp: u32,
@@ -129,7 +129,7 @@ pub fn mean_l1(gradient: &Estimate, reference: &Estimate) -> Measured {
     moments.into()
 }
 
-/// By how much the mean absolute difference of one picture from a reference is below
+/// By how much the mean absolute difference of one image from a reference is below
 /// that of another one, pixel by pixel: what the scene makes of both drops out.
 pub fn l1_gain(gradient: &Estimate, other: &Estimate, reference: &Estimate) -> Measured {
     let mut moments = Moments::default();
@@ -146,8 +146,8 @@ fn distances(gradient: &Estimate, reference: &Estimate) -> impl Iterator<Item = 
 }
 
 /// Derivatives side by side, colours within a limit.
-pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
-    let shown = pictures.iter().map(|(title, estimate)| Shown {
+pub fn shown(images: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
+    let shown = images.iter().map(|(title, estimate)| Shown {
         title: title.clone(),
         image: estimate.mean.clone(),
         style: Style::Diverging { limit },
@@ -155,11 +155,11 @@ pub fn shown(pictures: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
     shown.collect()
 }
 
-/// What of the mean squared distance from a reference is noise of the picture, and
+/// What of the mean squared distance from a reference is noise of the image, and
 /// what is neither that nor noise of the reference: bias. Squares add.
 pub struct Squares {
     pub noise: f64,
-    /// Zero but for its error for a picture without bias.
+    /// Zero but for its error for an image without bias.
     pub bias: Measured,
 }
 

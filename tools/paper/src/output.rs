@@ -21,7 +21,7 @@ pub enum WriteError {
         /// Why.
         error: io::Error,
     },
-    /// A picture.
+    /// An image.
     Image(ImageError),
 }
 
@@ -43,7 +43,7 @@ impl From<ImageError> for WriteError {
 }
 
 /// Writes figures into a folder, which is created: for each figure a PNG and an
-/// EXR file of every row of pictures, an SVG and a CSV file of every plot, a CSV
+/// EXR file of every row of images, an SVG and a CSV file of every plot, a CSV
 /// file of every table; `claims.csv`; and `report.html` with everything in it.
 /// Returns what was written.
 pub fn write(figures: &[Figure], folder: &Path) -> Result<Vec<PathBuf>, WriteError> {
@@ -58,7 +58,7 @@ pub fn write(figures: &[Figure], folder: &Path) -> Result<Vec<PathBuf>, WriteErr
     for figure in figures {
         for (i, row) in figure.rows.iter().enumerate() {
             match row {
-                Row::Pictures(shown) => writer.pictures(figure, i, shown)?,
+                Row::Images(shown) => writer.images(figure, i, shown)?,
                 Row::Plots(plots) => {
                     for plot in plots {
                         writer.plot(figure, plot)?;
@@ -102,7 +102,7 @@ impl Writer<'_> {
 
     /// Side by side as PNG, and the numbers of those of the first one's size as
     /// EXR.
-    fn pictures(&mut self, figure: &Figure, row: usize, shown: &[Shown]) -> Result<(), WriteError> {
+    fn images(&mut self, figure: &Figure, row: usize, shown: &[Shown]) -> Result<(), WriteError> {
         let panels: Vec<Panel> = shown
             .iter()
             .map(|shown| Panel {
@@ -117,16 +117,16 @@ impl Writer<'_> {
         image::write_panels(&path, &panels, &metadata)?;
         self.written.push(path);
 
-        let mut picture = LayeredImage {
+        let mut layers = LayeredImage {
             metadata: metadata.into(),
             ..LayeredImage::default()
         };
         let size = |shown: &Shown| (shown.image.width, shown.image.height);
         for other in shown.iter().filter(|other| size(other) == size(&shown[0])) {
-            picture.push(&slug(&other.title), other.image.clone());
+            layers.push(&slug(&other.title), other.image.clone());
         }
         let path = stem.with_extension("exr");
-        image::write(&path, &picture, &Preview::default())?;
+        image::write(&path, &layers, &Preview::default())?;
         self.written.push(path);
         Ok(())
     }

@@ -1,7 +1,7 @@
 # Derivatives by Mitsuba's projective sampling: python3 projective.py
 # SCENE.xml SHAPE AXIS INTEGRATOR MAX_DEPTH SPP SEEDS OUTPUT
 # Writes little-endian float32, for each seed the pixels: of the derivative to
-# OUTPUT, of the picture to OUTPUT.picture. Prints the seconds of the CPU.
+# OUTPUT, of the image to OUTPUT.image. Prints the seconds of the CPU.
 import struct
 import sys
 import time
@@ -27,17 +27,17 @@ def write(file, image):
     file.write(struct.pack("<%df" % len(numbers), *numbers))
 
 
-with open(output, "wb") as derivatives, open(output + ".picture", "wb") as pictures:
+with open(output, "wb") as derivatives, open(output + ".image", "wb") as images:
     for seed in range(int(seeds)):
         amount = mi.Float(0.0)
         dr.enable_grad(amount)
         points = dr.unravel(mi.Point3f, start) + amount * mi.Vector3f(unit)
         params[key] = dr.ravel(points)
         params.update()
-        picture = mi.render(scene, params, integrator=method, spp=int(spp), seed=1000 + seed, seed_grad=2000 + seed)
+        image = mi.render(scene, params, integrator=method, spp=int(spp), seed=1000 + seed, seed_grad=2000 + seed)
         dr.forward(amount)
-        write(derivatives, dr.grad(picture))
-        write(pictures, dr.detach(picture))
+        write(derivatives, dr.grad(image))
+        write(images, dr.detach(image))
 
 # On a line of its own: Mitsuba's warnings end with a colour and no line feed.
 print()

@@ -13,7 +13,7 @@ use capwalk_scene_io::export::write_scene;
 use crate::gradients::Subject;
 use crate::settings::{Failure, Quality, Settings};
 
-/// Independent pictures: their spread is the error.
+/// Independent images: their spread is the error.
 pub const SEEDS: usize = 8;
 
 const SCRIPT: &str = include_str!("projective.py");
@@ -24,8 +24,8 @@ pub enum Projective {
     Done {
         /// Mean and standard error over seeds.
         gradient: Estimate,
-        /// The picture itself.
-        picture: Estimate,
+        /// The image itself.
+        image: Estimate,
         /// Of the CPU, for all seeds, with loading.
         seconds: f64,
     },
@@ -38,7 +38,7 @@ pub fn spp(settings: &Settings) -> u32 {
     settings.quality.choose(1, 64, 512)
 }
 
-/// The derivative of the subject's picture by a translation of a shape along an
+/// The derivative of the subject's image by a translation of a shape along an
 /// axis. The interpreter is `python3`, or `CAPWALK_PYTHON`.
 pub fn run(
     subject: &Subject,
@@ -118,12 +118,12 @@ fn in_folder(
     };
     Ok(Projective::Done {
         gradient: read(&numbers)?,
-        picture: read(&folder.join("gradient.f32.picture"))?,
+        image: read(&folder.join("gradient.f32.image"))?,
         seconds,
     })
 }
 
-/// Mean and standard error over the pictures in a file.
+/// Mean and standard error over the images in a file.
 fn estimate(bytes: &[u8], width: usize, height: usize) -> Option<Estimate> {
     let count = width * height * 3;
     if bytes.len() != 4 * count * SEEDS {
@@ -156,9 +156,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn pictures_of_all_seeds_become_means() {
-        let picture = |seed: usize| (0..6).map(move |i| (i + 10 * seed) as f32);
-        let numbers = (0..SEEDS).flat_map(picture);
+    fn images_of_all_seeds_become_means() {
+        let image = |seed: usize| (0..6).map(move |i| (i + 10 * seed) as f32);
+        let numbers = (0..SEEDS).flat_map(image);
         let bytes: Vec<u8> = numbers.flat_map(f32::to_le_bytes).collect();
         let found = estimate(&bytes, 2, 1).expect("it is complete");
         assert_eq!(found.mean.at(1, 0), Rgb::new(38.0, 39.0, 40.0));

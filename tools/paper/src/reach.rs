@@ -88,4 +88,4 @@ pub fn in_words(reaches: &[Reached], reach: f64, (name, variance): (&str, Measur
 
 /// What a caption says of the table.
 pub const CAPTION: &str = "The last table has the variance of a sample of ours by the reach of \
-     its field; pictures and claims have the reach that the pilot finds.";
+     its field; images and claims have the reach that the pilot finds.";

@@ -14,9 +14,9 @@ const STYLE: &str = "\
 body{font:15px/1.45 system-ui,sans-serif;max-width:1180px;margin:2em auto;padding:0 1em;color:#222}\
 h1{font-size:1.6em}h2{margin-top:2.2em;border-bottom:1px solid #ccc}\
 .row{display:grid;grid-template-columns:repeat(var(--columns),minmax(0,1fr));gap:14px;margin:1em 0}\
-figure{margin:0;max-width:100%}figure svg,figure img.picture{max-width:100%;height:auto}\
+figure{margin:0;max-width:100%}figure svg,figure img.image{max-width:100%;height:auto}\
 figcaption{text-align:center;font-size:.9em;color:#444;margin-top:3px}\
-figure img.picture{image-rendering:pixelated;border:1px solid #888;display:block;box-sizing:border-box}\
+figure img.image{image-rendering:pixelated;border:1px solid #888;display:block;box-sizing:border-box}\
 .bar{display:flex;align-items:center;gap:6px;justify-content:center;font-size:.8em;color:#555}\
 .bar img{width:120px;min-width:0;flex-shrink:1;height:9px;border:1px solid #999}\
 .scroll{overflow-x:auto}\
@@ -36,7 +36,7 @@ pub fn html(figures: &[Figure]) -> Result<String, ImageError> {
     page += "<p>The figures of <em>Unbiased Differential Visibility Using Fixed-Step \
              Walk-on-Spherical-Caps And Closest Silhouettes</em> (Wu et al. 2025), drawn anew by \
              capwalk. Every number in the column “here” was measured in the run that made this \
-             page. Numbers are compared at three standard errors; pictures as <code>capwalk check</code> \
+             page. Numbers are compared at three standard errors; images as <code>capwalk check</code> \
              does, where “holds” excludes that a derivative is off by 10 % or more.</p>\n";
     page += "<h2 id=\"claims\">Claims</h2>\n";
     page += &claims_table(figures.iter().flat_map(|figure| {
@@ -64,18 +64,18 @@ fn section(figure: &Figure) -> Result<String, ImageError> {
         escape(figure.title),
         prose(&figure.caption)
     );
-    // Rows of pictures have the columns of the longest, so that all line up.
+    // Rows of images have the columns of the longest, so that all line up.
     let columns = figure.rows.iter().map(|row| match row {
-        Row::Pictures(shown) => shown.len(),
+        Row::Images(shown) => shown.len(),
         Row::Plots(_) => 1,
     });
     let columns = columns.max().unwrap_or(1).max(LEAST_COLUMNS);
     for row in &figure.rows {
         match row {
-            Row::Pictures(shown) => {
+            Row::Images(shown) => {
                 text += &begin_row(columns);
                 for shown in shown {
-                    text += &picture(shown, columns)?;
+                    text += &image(shown, columns)?;
                 }
             }
             Row::Plots(plots) => {
@@ -111,17 +111,17 @@ const LEAST_COLUMNS: usize = 4;
 /// Width of the page and of the gap between columns, pixels, as in [`STYLE`].
 const WIDTH: usize = 1180;
 const GAP: usize = 14;
-/// Pictures below this width, pixels, are enlarged, if there is space.
+/// Images below this width, pixels, are enlarged, if there is space.
 const LEAST_WIDTH: usize = 240;
 
-/// A picture in one of so many columns. Its caption is no wider than the picture.
-fn picture(shown: &Shown, columns: usize) -> Result<String, ImageError> {
+/// An image in one of so many columns. Its caption is no wider than the image.
+fn image(shown: &Shown, columns: usize) -> Result<String, ImageError> {
     let width = shown.image.width.max(1);
     let space = (WIDTH + GAP) / columns - GAP;
     let zoom = LEAST_WIDTH.div_ceil(width).min(space / width).max(1);
     let source = data_uri(&image::pixels_as_png(&shown.image, shown.style)?);
     let mut text = format!(
-        "<figure style=\"width:{0}px\"><img class=\"picture\" width=\"{0}\" height=\"{1}\" alt=\"{2}\" \
+        "<figure style=\"width:{0}px\"><img class=\"image\" width=\"{0}\" height=\"{1}\" alt=\"{2}\" \
          src=\"{source}\">",
         shown.image.width * zoom,
         shown.image.height * zoom,

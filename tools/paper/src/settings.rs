@@ -112,7 +112,7 @@ impl fmt::Display for Failure {
             Self::NonFinite { count } => {
                 write!(
                     f,
-                    "{count} samples were infinite or NaN: the pictures cannot be trusted"
+                    "{count} samples were infinite or NaN: the images cannot be trusted"
                 )
             }
             Self::Unusable(reason) => f.write_str(reason),

@@ -58,11 +58,11 @@ fn distances(settings: &Settings) -> Vec<f64> {
     (0..count).map(|i| 10_f64.powf(exponent(i))).collect()
 }
 
-/// The curve of the variance, and its slope between the nearest and the
+/// The curve of the variance, and its exponent between the nearest and the
 /// farthest distance on logarithmic axes.
 struct Found {
     curve: Curve,
-    slope: Measured,
+    exponent: Measured,
 }
 
 fn measure(
@@ -83,17 +83,17 @@ fn measure(
     });
     // The nearer half: far away the boundary's other parts come in.
     let near = distances.len() / 2;
-    let mut slopes = Moments::default();
+    let mut exponents = Moments::default();
     for (nearer, nearest) in all[near].iter().zip(&all[0]) {
         let rise = (nearer / nearest).ln();
-        slopes.add(rise / (distances[near] / distances[0]).ln());
+        exponents.add(rise / (distances[near] / distances[0]).ln());
     }
     Found {
         curve: Curve {
             name: name.into(),
             points: points.collect(),
         },
-        slope: slopes.into(),
+        exponent: exponents.into(),
     }
 }
 
@@ -177,15 +177,15 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                  the boundary, so that over all points it is infinite"
             ),
             paper: "not mentioned".into(),
-            ours: format!("variance ∝ A^({})", literal.slope),
-            verdict: between(literal.slope, -2.0 - TOLERANCE, -2.0 + TOLERANCE),
+            ours: format!("variance ∝ A^({})", literal.exponent),
+            verdict: between(literal.exponent, -2.0 - TOLERANCE, -2.0 + TOLERANCE),
         });
         claims.push(Claim {
             statement: format!("{domain}: that of the anchored estimator stays bounded"),
             paper: "not ours to compare".into(),
-            ours: format!("variance ∝ A^({})", anchored.slope),
+            ours: format!("variance ∝ A^({})", anchored.exponent),
             // A variance that falls towards the boundary is bounded, too.
-            verdict: between(anchored.slope, -TOLERANCE, f64::INFINITY),
+            verdict: between(anchored.exponent, -TOLERANCE, f64::INFINITY),
         });
         plots.push(Plot {
             title: format!("Variance: {domain}"),
@@ -205,16 +205,16 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
                   beside the silhouette of another (Eqs. 37 and 38)."
             .into(),
         rows: vec![Row::Plots(plots)],
-        tables: vec![in_pictures(settings)?],
+        tables: vec![in_images(settings)?],
         claims,
         ..Figure::default()
     })
 }
 
-/// The variance of a sample of a derivative picture, by domain of the field and
+/// The variance of a sample of a derivative image, by domain of the field and
 /// estimator: that of the printed estimator is infinite, and what is measured
 /// grows with the number of samples.
-fn in_pictures(settings: &Settings) -> Result<Table, Failure> {
+fn in_images(settings: &Settings) -> Result<Table, Failure> {
     let size = settings.quality.choose([8, 6], [32, 24], [64, 48]);
     let spp = settings.quality.choose(8, 128, 1024);
     let subject = Subject::builtin("leaf", size, 1e-3)?;

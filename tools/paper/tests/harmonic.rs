@@ -19,8 +19,8 @@ fn functions() -> [(&'static str, Function); 3] {
     [
         ("Re z³", |p| {
             let Vec2 { x, y } = p;
-            let slope = Vec2::new(3.0 * (x * x - y * y), -6.0 * x * y);
-            (x * x * x - 3.0 * x * y * y, slope)
+            let gradient = Vec2::new(3.0 * (x * x - y * y), -6.0 * x * y);
+            (x * x * x - 3.0 * x * y * y, gradient)
         }),
         ("eˣ cos y", |p| {
             let e = p.x.exp();
@@ -66,20 +66,20 @@ fn harmonic_functions_are_found_from_their_boundary() {
                     let walk = sample_harmonic(domain, at, &settings, |d| number(1, i, d));
                     let sample = walk.expect("it arrives").sample;
                     for ((_, exact), sums) in functions().iter().zip(&mut sums) {
-                        let (value, slope) = sample.scalar(|site| exact(site.point).0);
-                        for (sum, x) in sums.iter_mut().zip([value, slope.x, slope.y]) {
+                        let (value, gradient) = sample.scalar(|site| exact(site.point).0);
+                        for (sum, x) in sums.iter_mut().zip([value, gradient.x, gradient.y]) {
                             sum.add(x);
                         }
                     }
                 }
                 for ((function, exact), [value, dx, dy]) in functions().iter().zip(&sums) {
-                    let (v, slope) = exact(Vec2::new(x, y));
+                    let (v, gradient) = exact(Vec2::new(x, y));
                     let what = format!("{function} on {name} at {x}, {y}, {estimator:?}");
-                    // The shell of 1e-4, times slopes of up to 5; for the
+                    // The shell of 1e-4, times gradients of up to 5; for the
                     // gradient over the distance, at least 0.04.
                     assert_mean(value, v, 5e-4, &what);
-                    assert_mean(dx, slope.x, 1e-2, &what);
-                    assert_mean(dy, slope.y, 1e-2, &what);
+                    assert_mean(dx, gradient.x, 1e-2, &what);
+                    assert_mean(dy, gradient.y, 1e-2, &what);
                 }
             }
         }
@@ -105,7 +105,7 @@ fn steps_grow_like_the_logarithm_of_the_shell() {
     });
     let [first, second] = [steps[1] - steps[0], steps[2] - steps[1]];
     assert!(first > 3.0, "{steps:?}");
-    // Jumps as far as possible arrive soon.
+    // Steps as long as possible arrive soon.
     assert!(steps[0] < 7.0, "{steps:?}");
     assert!((second / first - 1.0).abs() < 0.25, "{steps:?}");
 }
@@ -205,18 +205,23 @@ fn harmonic_functions_on_the_sphere() {
     for q in [[0.05, 0.1, 1.0], [0.3, -0.2, 1.0]] {
         let q = Vec3::new(q[0], q[1], q[2]).normalized();
         let d = domain.tangent(q, 0.2);
-        let [mut value, mut slope] = [Moments::default(); 2];
+        let [mut value, mut derivative] = [Moments::default(); 2];
         for i in 0..30_000 {
             let walk = sample_harmonic(&domain, q, &settings, |k| number(5, i, k));
             let found = walk.expect("it arrives").sample;
             let (v, dv) = found.scalar(|site: &SilhouettePoint| exact(site.direction));
             value.add(v);
-            slope.add(dv.dot(d));
+            derivative.add(dv.dot(d));
         }
         let h = 1e-5;
         let ahead = exact(sphere::walk_along(q, d, h));
         let behind = exact(sphere::walk_along(q, d, -h));
         assert_mean(&value, exact(q), 2e-4, "value");
-        assert_mean(&slope, (ahead - behind) / (2.0 * h), 2e-3, "slope");
+        assert_mean(
+            &derivative,
+            (ahead - behind) / (2.0 * h),
+            2e-3,
+            "derivative",
+        );
     }
 }

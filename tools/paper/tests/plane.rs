@@ -1,6 +1,6 @@
 //! Fixed-step walks on disks (Algorithms 2 to 4, Eqs. 18 to 27): the field's
 //! derivative against differences of the field, its divergence against the
-//! flux of the boundary.
+//! boundary term.
 
 use std::cell::RefCell;
 
@@ -32,7 +32,7 @@ fn domains() -> [(&'static str, Plane); 2] {
     ]
 }
 
-/// Boundary velocities that differ everywhere, with a jump at some corners.
+/// Boundary velocities that differ everywhere, discontinuous at some corners.
 fn velocity(site: &CurvePoint) -> Vec2 {
     let Vec2 { x, y } = site.point;
     let turn = 0.4 * site.curve as f64;
@@ -76,20 +76,20 @@ fn derivatives_are_differences_of_the_field() {
                 estimator,
                 ..settings(steps, max_radius)
             };
-            let mut slope = Moments::default();
+            let mut derivative = Moments::default();
             for i in 0..60_000 {
                 let random = |d| number(1, i, d);
                 let x = a + (b - a) * random(99);
                 let field = sample_field(&domain, x, &walk, random);
-                slope.add(field.directional_derivative(b - a, velocity).dot(onto));
+                derivative.add(field.directional_derivative(b - a, velocity).dot(onto));
             }
             let [ahead, behind] =
                 [(b, 2), (a, 3)].map(|(x, set)| field_along(&domain, x, onto, &walk, set));
             let expected = ahead.mean - behind.mean;
             let error = ahead.standard_error().hypot(behind.standard_error());
             let what = format!("{name}, M = {steps}, D ≤ {max_radius}, {estimator:?}");
-            assert_mean(&slope, expected, 4.0 * error, &what);
-            let noise = slope.standard_error().hypot(error);
+            assert_mean(&derivative, expected, 4.0 * error, &what);
+            let noise = derivative.standard_error().hypot(error);
             assert!(
                 expected.abs() > 15.0 * noise,
                 "{what}: {expected} ± {noise}"
@@ -155,7 +155,7 @@ fn derivative_is_that_of_the_mean() {
                 let field = sample_field(&domain, x, &walk, |i| u[i as usize]);
                 sum + field.directional_derivative(d, velocity) * share
             });
-            // The quadrature meets jumps: it is good to a few parts in a hundred.
+            // The quadrature meets discontinuities: it is good to a few parts in a hundred.
             let error = (found - expected).length();
             assert!(error < 0.03, "{name} at {x:?}: {found:?}, {expected:?}");
             assert!(expected.length() > 0.2, "nothing to see at {x:?}");
@@ -163,12 +163,12 @@ fn derivative_is_that_of_the_mean() {
     }
 }
 
-/// Eqs. (3) and (21): the divergence over the polygon is the boundary's flux.
+/// Eqs. (3) and (21): the divergence over the polygon is the boundary term.
 #[test]
-fn divergence_is_the_flux_of_the_boundary() {
+fn divergence_is_the_boundary_term() {
     let corners = polygon();
     let domain = Plane::polygon(&corners);
-    let mut flux = 0.0;
+    let mut boundary_term = 0.0;
     for (curve, &a) in corners.iter().enumerate() {
         let along = corners[(curve + 1) % corners.len()] - a;
         let outward = Vec2::new(along.y, -along.x);
@@ -176,10 +176,10 @@ fn divergence_is_the_flux_of_the_boundary() {
         for k in 0..n {
             let t = (f64::from(k) + 0.5) / f64::from(n);
             let point = a + along * t;
-            flux += velocity(&CurvePoint { curve, t, point }).dot(outward) / f64::from(n);
+            boundary_term += velocity(&CurvePoint { curve, t, point }).dot(outward) / f64::from(n);
         }
     }
-    // Rays to the right cross the outline an odd number of times.
+    // Rays to the right cross the polygon an odd number of times.
     let is_inside = |x: Vec2| {
         let sides = corners.iter().zip(corners.iter().cycle().skip(1));
         let crossed = sides.filter(|(a, b)| {
@@ -210,18 +210,18 @@ fn divergence_is_the_flux_of_the_boundary() {
         }
         assert_mean(
             &moments,
-            flux,
+            boundary_term,
             1e-4,
             &format!("M = {steps}, D ≤ {max_radius}"),
         );
-        assert!(moments.standard_error() < 0.05 * flux.abs());
+        assert!(moments.standard_error() < 0.05 * boundary_term.abs());
     }
 }
 
 /// On the two sides of the medial axis the field of no steps differs, the field
 /// of one step does not: no steps are not valid (Section 5.1, base cases).
 #[test]
-fn field_of_no_steps_jumps_at_the_medial_axis() {
+fn field_of_no_steps_is_discontinuous_at_the_medial_axis() {
     let domain = Plane::polygon(
         &[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]].map(|[x, y]| Vec2::new(x, y)),
     );

@@ -16,7 +16,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// Everything there is in the report: a section, every claim, every picture.
+/// Everything there is in the report: a section, every claim, every image.
 fn check_page(page: &str, figures: &[Figure]) {
     assert!(!page.contains("<script"), "the page needs no script");
     assert!(page.ends_with("</html>\n"));
@@ -29,11 +29,11 @@ fn check_page(page: &str, figures: &[Figure]) {
         let closed = page.matches(&format!("</{tag}>")).count();
         assert_eq!(opened, closed, "<{tag}>");
     }
-    let pictures: usize = figures
+    let images: usize = figures
         .iter()
         .flat_map(|figure| &figure.rows)
         .map(|row| match row {
-            Row::Pictures(shown) => shown.len(),
+            Row::Images(shown) => shown.len(),
             Row::Plots(plots) => {
                 plots.iter().for_each(|plot| {
                     assert!(
@@ -44,12 +44,12 @@ fn check_page(page: &str, figures: &[Figure]) {
             }
         })
         .sum();
-    assert_eq!(page.matches("class=\"picture\"").count(), pictures);
-    // Nothing is loaded from elsewhere, and every picture can be decoded.
+    assert_eq!(page.matches("class=\"image\"").count(), images);
+    // Nothing is loaded from elsewhere, and every image can be decoded.
     for source in page.split(" src=\"").skip(1) {
         let source = source.split('"').next().unwrap_or("");
         let data = source.strip_prefix("data:image/png;base64,");
-        let bytes = STANDARD.decode(data.expect("a picture inside the page"));
+        let bytes = STANDARD.decode(data.expect("an image inside the page"));
         let bytes = bytes.expect("base64");
         let mut reader = png::Decoder::new(std::io::Cursor::new(bytes))
             .read_info()
@@ -58,7 +58,7 @@ fn check_page(page: &str, figures: &[Figure]) {
         reader.next_frame(&mut pixels).expect("all of its pixels");
         assert!(
             pixels.iter().any(|&p| p != pixels[0]),
-            "a picture of one colour"
+            "an image of one colour"
         );
     }
     for figure in figures {
@@ -107,7 +107,7 @@ fn every_figure_is_drawn() {
     open_in_browser(&folder, &page);
 }
 
-/// The page in a real browser, where there is one: no picture is missing.
+/// The page in a real browser, where there is one: no image is missing.
 fn open_in_browser(folder: &Path, page: &str) {
     let names = [
         "chromium",

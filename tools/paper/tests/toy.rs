@@ -49,7 +49,7 @@ fn toy_integral_has_derivative_one() {
     }
 }
 
-/// The field of no steps jumps in the middle, and between its jumps it is
+/// The field of no steps is discontinuous in the middle, and beside that it is
 /// constant: its divergence would say that the derivative is 0.
 #[test]
 fn field_of_no_steps_is_not_valid() {
@@ -62,7 +62,7 @@ fn field_of_no_steps_is_not_valid() {
     assert_eq!([0.501, 0.8, 0.99].map(value), [1.0; 3]);
 }
 
-/// The field of `steps` steps and its slope on a grid of `n` cells by its
+/// The field of `steps` steps and its derivative on a grid of `n` cells by its
 /// definition, Eq. (20) in one dimension: means over `(0, 2x)`, and the mirror
 /// image `v(1 - x) = 1 - v(x)`.
 fn by_recursion(steps: u32, n: usize) -> impl Fn(f64) -> (f64, f64) {
@@ -94,8 +94,8 @@ fn by_recursion(steps: u32, n: usize) -> impl Fn(f64) -> (f64, f64) {
             false => (n - i, 2 * (n - i)),
         };
         // d/dx [V(2x) / 2x], where V is the integral of the field before.
-        let slope = (before[far] - field[near]) / (near as f64 / n as f64);
-        (field[i], slope)
+        let derivative = (before[far] - field[near]) / (near as f64 / n as f64);
+        (field[i], derivative)
     }
 }
 
@@ -110,24 +110,24 @@ fn fixed_step_fields_are_their_definition() {
     ] {
         let exact = by_recursion(steps, 10_000);
         for x in [0.11, 0.31, 0.46, 0.62, 0.93] {
-            let [mut value, mut slope] = [Moments::default(); 2];
+            let [mut value, mut derivative] = [Moments::default(); 2];
             for i in 0..20_000 {
                 let random = |d| number(2, i, d);
                 let settings = settings(steps, estimator);
                 let field = sample_field(&Interval, x, &settings, random);
                 let (v, dv) = field.evaluate(velocity);
                 value.add(v);
-                slope.add(dv);
+                derivative.add(dv);
             }
             let (v, dv) = exact(x);
             let what = format!("M = {steps}, {estimator:?} at {x}");
             assert_mean(&value, v, 1e-3, &what);
-            assert_mean(&slope, dv, 5e-3, &what);
+            assert_mean(&derivative, dv, 5e-3, &what);
         }
     }
 }
 
-/// `v(x) = x`, whatever the number of jumps a walk takes.
+/// `v(x) = x`, whatever the number of steps a walk takes.
 #[test]
 fn harmonic_field_is_a_straight_line() {
     for estimator in [Estimator::Literal, Estimator::Anchored] {
@@ -137,15 +137,15 @@ fn harmonic_field_is_a_straight_line() {
             ..Default::default()
         };
         for x in [0.03, 0.3, 0.5, 0.77] {
-            let [mut value, mut slope] = [Moments::default(); 2];
+            let [mut value, mut derivative] = [Moments::default(); 2];
             for i in 0..20_000 {
                 let walk = sample_harmonic(&Interval, x, &settings, |d| number(3, i, d));
                 let (v, dv) = walk.expect("it arrives").sample.evaluate(velocity);
                 value.add(v);
-                slope.add(dv);
+                derivative.add(dv);
             }
             assert_mean(&value, x, 1e-6, "value");
-            assert_mean(&slope, 1.0, 1e-5, "slope");
+            assert_mean(&derivative, 1.0, 1e-5, "derivative");
         }
     }
 }
@@ -154,14 +154,14 @@ fn harmonic_field_is_a_straight_line() {
 #[test]
 fn weighted_average_is_valid_and_narrow() {
     let field = WeightedAverage::default();
-    assert!(field.value_and_slope(1e-3).0 < 1e-6);
-    assert!(field.value_and_slope(1.0 - 1e-4).0 > 1.0 - 1e-3);
-    // Nodes crowd towards 1, where the slope is.
+    assert!(field.value_and_derivative(1e-3).0 < 1e-6);
+    assert!(field.value_and_derivative(1.0 - 1e-4).0 > 1.0 - 1e-3);
+    // Nodes crowd towards 1, where the derivative is.
     let nodes = gauss_legendre(200);
     let integral = |from: f64| -> f64 {
         let terms = nodes.iter().map(|(t, w)| {
             let x = 1.0 - (1.0 - from) * t.powi(2);
-            w * (1.0 - from) * 2.0 * t * field.value_and_slope(x).1
+            w * (1.0 - from) * 2.0 * t * field.value_and_derivative(x).1
         });
         terms.sum()
     };

@@ -103,11 +103,11 @@ mod tests {
             ("lib.rs", "mod a; mod b;"),
             (
                 "a.rs",
-                "pub(crate) struct Lamp; struct Own; pub fn lamp() {}",
+                "pub(crate) struct Twin; struct Own; pub fn twin() {}",
             ),
-            ("b.rs", "pub enum Lamp {} pub struct Own; pub fn lamp() {}"),
+            ("b.rs", "pub enum Twin {} pub struct Own; pub fn twin() {}"),
         ]);
-        assert_eq!(names(types(&twice)), ["Lamp"]);
+        assert_eq!(names(types(&twice)), ["Twin"]);
     }
 
     /// What a crate keeps to itself may have a name that another has too.

@@ -139,7 +139,7 @@ fn the_closest_edge_in_the_image() {
 
 /// Looks from points on a ball with waves of this height, and from each in low directions all
 /// around.
-fn low_directions(waves: f64, mut look: impl FnMut(&Field, &Viewpoint<f64>, Vec3)) {
+fn low_directions(waves: f64, mut ask: impl FnMut(&Field, &Viewpoint<f64>, Vec3)) {
     let mut scene = builtin::scene("ball").expect("built in");
     let shape = scene.shapes_mut().find(|shape| shape.id == "ball");
     let shape = shape.expect("it is there");
@@ -167,7 +167,7 @@ fn low_directions(waves: f64, mut look: impl FnMut(&Field, &Viewpoint<f64>, Vec3
         for i in 0..8 {
             let (sin, cos) = (0.3 + f64::from(i)).sin_cos();
             let height = normal * (0.01 * f64::from(i + 1));
-            look(
+            ask(
                 &field,
                 &viewpoint,
                 (s * sin + t * cos + height).normalized(),

@@ -33,11 +33,11 @@ const SCENE: &str = "scene.xml";
 const MESHES: &str = "scene_meshes";
 const TEXTURES: &str = "scene_textures";
 /// The folder of images.
-const PICTURES: &str = "pictures";
+const IMAGES: &str = "images";
 /// Held by the process that writes there.
 const LOCK: &str = ".lock";
 /// The folders that files are written into, from the folder of the run.
-const FOLDERS: [&str; 4] = ["", PICTURES, MESHES, TEXTURES];
+const FOLDERS: [&str; 4] = ["", IMAGES, MESHES, TEXTURES];
 
 /// The folder of a run that goes on in it.
 #[derive(Debug)]
@@ -66,7 +66,7 @@ pub fn claim(path: &Path, resume: bool, read: &FilesRead) -> Result<Claimed, Fol
         folder: path.into(),
         error,
     };
-    fs::create_dir_all(path.join(PICTURES)).map_err(cannot)?;
+    fs::create_dir_all(path.join(IMAGES)).map_err(cannot)?;
     if !resume && path.join(CHECKPOINT).exists() {
         return Err(FolderError::Taken {
             folder: path.into(),
@@ -96,7 +96,7 @@ pub fn claim(path: &Path, resume: bool, read: &FilesRead) -> Result<Claimed, Fol
 /// An error if a run in this folder would overwrite what it did not write.
 fn refuse_losses(path: &Path, read: &FilesRead) -> Result<(), FolderError> {
     let written = [
-        CHECKPOINT, RECORD, TIMING, PARAMETERS, SCENE, MESHES, TEXTURES, PICTURES, LOCK,
+        CHECKPOINT, RECORD, TIMING, PARAMETERS, SCENE, MESHES, TEXTURES, IMAGES, LOCK,
     ];
     for name in written {
         read.refuse(&path.join(name))?;
@@ -114,7 +114,7 @@ fn refuse_losses(path: &Path, read: &FilesRead) -> Result<(), FolderError> {
     let is_result = |name: &str| match name {
         RECORD | TIMING => !is_begun_table(&path.join(name)),
         LOCK => fs::metadata(path.join(name)).is_ok_and(|lock| lock.len() > 0),
-        PICTURES => has_files(&path.join(name)),
+        IMAGES => has_files(&path.join(name)),
         CHECKPOINT | PARAMETERS | SCENE | MESHES | TEXTURES => {
             path.join(name).symlink_metadata().is_ok()
         }
@@ -339,11 +339,11 @@ impl Folder {
                 style,
             };
             let panels = [
-                panel("picture", image, photographic),
+                panel("image", image, photographic),
                 panel("target", &view.target, photographic),
                 panel("difference", &difference, Style::Diverging { limit }),
             ];
-            write_panels(&self.path.join(PICTURES).join(file), &panels, &[])?;
+            write_panels(&self.path.join(IMAGES).join(file), &panels, &[])?;
         }
         Ok(())
     }

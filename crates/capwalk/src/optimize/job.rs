@@ -63,7 +63,7 @@ pub(super) struct Keys {
     pub spp_grad: Option<u32>,
     pub time_limit: Option<Duration>,
     /// An image in every so many iterations; 0 for none.
-    pub pictures: u32,
+    pub images: u32,
     pub lr: f64,
     pub adam: Adam,
     pub schedule: Schedule,
@@ -149,7 +149,7 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
         spp: integer(&root, "spp", 2..=MOST)?.map(|n| n as u32),
         spp_grad: integer(&root, "spp_grad", 1..=MOST)?.map(|n| n as u32),
         time_limit,
-        pictures: integer(&root, "pictures", 0..=MOST)?.map_or(10, |n| n as u32),
+        images: integer(&root, "images", 0..=MOST)?.map_or(10, |n| n as u32),
         lr,
         adam,
         schedule: optimizer::schedule(&root)?,

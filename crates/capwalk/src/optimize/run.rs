@@ -143,7 +143,7 @@ impl<'j> Run<'j> {
             // Write it down: the row, images every so often and at the end, the state.
             let seconds = started.elapsed().as_secs_f64();
             self.folder.write(&self.problem, &iteration, seconds)?;
-            let (number, every) = (self.state.iteration, self.job.keys.pictures);
+            let (number, every) = (self.state.iteration, self.job.keys.images);
             let is_last = iteration.next.is_err();
             if every > 0 && (number.is_multiple_of(every) || is_last) {
                 let name = format!("{number:06}");

@@ -357,7 +357,7 @@ fn contents(
         note("loss", loss.distance.name().into());
         note("target", path(target));
         note("loss_value", loss.value().to_string());
-        note("picture_seed", loss.image.seed.to_string());
+        note("image_seed", loss.image.seed.to_string());
     }
     let statistics = &gradients.statistics;
     for (key, value) in output::missing_notes(statistics) {

@@ -37,7 +37,7 @@ const SEED: u64 = 1;
 /// When the image and the literal gradient must be done, as shares of a time
 /// limit; the check has the rest. Without a limit each takes less than a tenth
 /// of the time.
-const PICTURE_UNTIL: f64 = 0.1;
+const IMAGE_UNTIL: f64 = 0.1;
 const LITERAL_UNTIL: f64 = 0.2;
 
 /// What the demo works out.
@@ -179,7 +179,7 @@ fn work(args: &Demo, prepared: &Prepared, tangent: &Tangent) -> Result<Results> 
     let started = Instant::now();
     let left_until = |share| left(limit, share, started.elapsed());
 
-    let progress = Progress::new("render", left_until(PICTURE_UNTIL));
+    let progress = Progress::new("render", left_until(IMAGE_UNTIL));
     let rendering = prepared.render(&sampled(spp), &progress)?;
     let render_seconds = progress.finish().as_secs_f64();
 
@@ -230,8 +230,8 @@ mod tests {
     fn stages_share_the_time_limit() {
         let seconds = Duration::from_secs;
         let limit = Some(seconds(100));
-        assert_eq!(left(None, PICTURE_UNTIL, seconds(5)), None);
-        assert_eq!(left(limit, PICTURE_UNTIL, seconds(0)), Some(seconds(10)));
+        assert_eq!(left(None, IMAGE_UNTIL, seconds(5)), None);
+        assert_eq!(left(limit, IMAGE_UNTIL, seconds(0)), Some(seconds(10)));
         assert_eq!(left(limit, LITERAL_UNTIL, seconds(3)), Some(seconds(17)));
         assert_eq!(left(limit, 1.0, seconds(20)), Some(seconds(80)));
         assert_eq!(left(limit, LITERAL_UNTIL, seconds(30)), Some(seconds(0)));

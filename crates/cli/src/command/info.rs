@@ -202,7 +202,7 @@ fn shapes(scene: &Scene) -> String {
             Emitter::Area { .. } => continue,
             Emitter::Constant { .. } | Emitter::EnvironmentMap { .. } => "surrounds the scene with",
             Emitter::Point { .. } | Emitter::Spot { .. } => "is a point of intensity",
-            Emitter::Projector { .. } => "projects a picture of irradiance",
+            Emitter::Projector { .. } => "projects an image of irradiance",
             Emitter::Directional { .. } => "sends parallel light of irradiance",
         };
         let emitted = texture(scene, emitter.radiance());

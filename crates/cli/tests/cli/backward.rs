@@ -194,7 +194,7 @@ fn forward_and_reverse_agree_within_their_errors() {
 
 /// An image is the best one for itself: the derivative of the square is zero
 /// on average over seeds. It would not be if image and gradient shared their
-/// random numbers: by 12 of its standard errors, for the lamp.
+/// random numbers: by 12 of its standard errors, for the emitter.
 #[test]
 fn an_image_is_the_best_one_for_itself() {
     let capwalk = Capwalk::new("backward_minimum");
@@ -230,7 +230,7 @@ fn an_image_is_the_best_one_for_itself() {
     }
 }
 
-/// Against a brighter lamp the loss and its gradient are known: images are
+/// Against a brighter emitter the loss and its gradient are known: images are
 /// linear in radiance.
 #[test]
 fn losses_and_their_gradients() {
@@ -256,18 +256,18 @@ fn losses_and_their_gradients() {
     let mean = |f: fn(f64) -> f64| values.iter().map(|&x| f(x)).sum::<f64>() / values.len() as f64;
     // With the image I = 1.5 T and dI/dradiance = T / 70:
     // l1: |I - T| = T / 2, and T / 70; l2: (I - T)² = T² / 4, and T² / 70.
-    for (loss, value, slope) in [
+    for (loss, value, derivative) in [
         ("l1", mean(|t| t / 2.0), mean(|t| t / 70.0)),
         ("l2", mean(|t| t * t / 4.0), mean(|t| t * t / 70.0)),
     ] {
         let (gradient, said) = run(loss);
         let noise = said["noise"].as_f64().unwrap_or(0.0);
         let ratio = (said["value"].as_f64().expect("a number") - noise) / value;
-        println!("{loss}: {ratio} {}", gradient / slope);
+        println!("{loss}: {ratio} {}", gradient / derivative);
         assert!((ratio - 1.0).abs() < 0.05, "{loss}: {ratio}");
         assert!(
-            (gradient / slope - 1.0).abs() < 0.05,
-            "{loss}: {gradient} {slope}"
+            (gradient / derivative - 1.0).abs() < 0.05,
+            "{loss}: {gradient} {derivative}"
         );
     }
 }
@@ -407,8 +407,8 @@ fn adjoints_that_do_not_fit() {
             "gradient",
         ],
     );
-    let message = leaf(&format!("{SIZE} --adjoint a.npz --layer slope"));
-    assert_has(&message, &["a.npz", "no layer \"slope\"", "adjoint"]);
+    let message = leaf(&format!("{SIZE} --adjoint a.npz --layer derivative"));
+    assert_has(&message, &["a.npz", "no layer \"derivative\"", "adjoint"]);
     assert_has(
         &leaf(&format!("{SIZE} --adjoint missing.npz")),
         &["missing.npz"],

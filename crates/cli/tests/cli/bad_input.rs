@@ -234,10 +234,10 @@ fn unwritable_outputs() {
     let capwalk = Capwalk::new("unwritable");
     capwalk.write("file", "");
     let long = "render leaf --size 2000x2000 --spp 100000 -o";
-    let message = capwalk.error(&format!("{long} file/picture.exr"));
-    assert_has(&message, &["cannot write file/picture.exr", "because"]);
-    let message = capwalk.error(&format!("{long} /proc/picture.exr"));
-    assert_has(&message, &["cannot write /proc/picture.exr"]);
+    let message = capwalk.error(&format!("{long} file/image.exr"));
+    assert_has(&message, &["cannot write file/image.exr", "because"]);
+    let message = capwalk.error(&format!("{long} /proc/image.exr"));
+    assert_has(&message, &["cannot write /proc/image.exr"]);
     std::fs::create_dir(capwalk.path("folder.png")).expect("writable");
     let message = capwalk.error(&format!("{long} folder.png"));
     assert_has(&message, &["cannot write folder.png", "folder"]);
@@ -245,8 +245,8 @@ fn unwritable_outputs() {
 
 #[test]
 fn unknown_image_format() {
-    let message = Capwalk::new("format").error("render leaf -o picture.bmp");
-    assert_has(&message, &["picture.bmp", ".exr, .png, .npz"]);
+    let message = Capwalk::new("format").error("render leaf -o image.bmp");
+    assert_has(&message, &["image.bmp", ".exr, .png, .npz"]);
 }
 
 #[test]

@@ -29,7 +29,7 @@ fn a_darker_image_differs() {
     capwalk.json("scenes --export . --json leaf");
     let scene = String::from_utf8(capwalk.bytes("leaf.xml")).expect("text");
     let darker = scene.replace("70", "60");
-    assert_ne!(scene, darker, "the lamp of leaf has a radiance of 70");
+    assert_ne!(scene, darker, "the emitter of leaf has a radiance of 70");
     capwalk.write("darker.xml", &darker);
     for scene in ["leaf", "darker"] {
         capwalk.run(&format!(

@@ -52,7 +52,7 @@ fn wrong_usage_is_bad_input() {
 
 /// Whoever knows the command finds its program.
 #[test]
-fn figures_are_made_elsewhere() {
+fn figures_name_their_program() {
     let message = Capwalk::new("figures").error("figures fig03 --quality smoke");
     let command = "cargo run --release -p capwalk-paper -- figures fig03 --quality smoke";
     assert_has(&message, &[command]);

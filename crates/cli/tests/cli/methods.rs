@@ -63,10 +63,10 @@ fn methods_say_what_they_are() {
     assert_eq!(step.as_deref(), Some("0.125"));
 }
 
-/// Textures that jump are no refusal, and `info` says what they are made of.
+/// Discontinuous textures are no refusal, and `info` says what they are made of.
 #[test]
-fn textures_that_jump() {
-    let capwalk = Capwalk::new("jumps");
+fn discontinuous_textures() {
+    let capwalk = Capwalk::new("discontinuous");
     let scene = r#"<scene version="3.0.0"><integrator type="direct"/><sensor type="perspective"/>
 <emitter type="constant"/><shape type="cube" id="box"><bsdf type="diffuse">
 <texture name="reflectance" type="checkerboard"/></bsdf></shape></scene>"#;

@@ -205,7 +205,7 @@ optimizer = { lr = 1.0 }
 /// The rest of the gradient is right: where no glass is seen, it is that of differences, and
 /// through glass it has what is no silhouette.
 #[test]
-fn the_rest_of_the_gradient_is_there() {
+fn the_rest_of_the_gradient_is_right() {
     let capwalk = with_room("missing_rest");
     let options = "--spp 512 -o g.npz";
     capwalk.json(&format!(

@@ -19,7 +19,7 @@ output = "out"
 iterations = 40
 spp = 4
 seed = 5
-pictures = 7
+images = 7
 
 [target]
 spp = 64
@@ -50,7 +50,7 @@ fn arrays_of(path: &Path) -> Arrays {
 #[test]
 fn hidden_numbers_are_found() {
     let capwalk = Capwalk::new("optimize_found");
-    let job = fs::read_to_string(examples().join("lamp_and_leaf.toml")).expect("the example");
+    let job = fs::read_to_string(examples().join("leaf_and_floor.toml")).expect("the example");
     let documented = fs::read_to_string(examples().join("../../docs/optimize.md")).expect("a page");
     let documented = documented.split("```toml\n").nth(1).expect("an example");
     let documented = documented.split("```").next().expect("its end");
@@ -152,8 +152,8 @@ fn the_flower_has_fifty_unknowns() {
             .step_by(3)
             .all(|&y| y == 1.5)
     );
-    capwalk.bytes("out/pictures/000000.png");
-    capwalk.bytes("out/pictures/000012.png");
+    capwalk.bytes("out/images/000000.png");
+    capwalk.bytes("out/images/000012.png");
 }
 
 /// A view of its own sensor and mask with a target from a file, beside another.
@@ -175,7 +175,7 @@ fn several_views_with_masks_and_files() {
     let views = r#"
 [[view]]
 mask = "mask.npz"
-target = { picture = "target.exr" }
+target = { image = "target.exr" }
 weight = 2
 
 [[view]]
@@ -203,7 +203,7 @@ to_world = [[-1, 0, 0, 0.1], [0, 0.8, -0.6, 2], [0, -0.6, -0.8, 2.5], [0, 0, 0, 
         "{row:?}"
     );
     for view in 1..=2 {
-        capwalk.bytes(&format!("out/pictures/000003-view{view}.png"));
+        capwalk.bytes(&format!("out/images/000003-view{view}.png"));
     }
     let error = job.replace(
         "\"leaf.translate.x\"\nbounds",
@@ -276,8 +276,17 @@ fn bad_jobs_name_the_place() {
     );
     bad(
         "spp = 64\n[target.set]\n\"leaf.translate.x\" = 0.2",
-        "picture = \"none.exr\"",
-        &["job.toml:11:11", "none.exr"],
+        "image = \"none.exr\"",
+        &["job.toml:11:9", "none.exr"],
+    );
+    bad(
+        "spp = 64\n[target.set]\n\"leaf.translate.x\" = 0.2",
+        "imge = \"none.exr\"",
+        &[
+            "job.toml:11:1",
+            "unknown key `imge` in [target]",
+            "\"image\"?",
+        ],
     );
     bad(
         "lr = 0.02",

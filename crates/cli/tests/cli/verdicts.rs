@@ -102,7 +102,7 @@ fn differences_without_events_cannot_tell() {
     assert!(reason.contains("no event"), "{reason}");
 }
 
-/// A lamp's own colour does nothing in direct light: no factor can be seen.
+/// An emitter's own colour does nothing in direct light: no factor can be seen.
 #[test]
 fn nothing_changes() {
     let capwalk = Capwalk::new("check_nothing");

@@ -59,7 +59,10 @@ scenes! {
     cylinder
     dielectric
     directional_light
-    disk_lamp
+    disk_emitter
+    emitters_hidden
+    emitters_hidden_direct
+    emitters_seen
     environment_map
     fov_y_crop
     gaussian
@@ -68,9 +71,6 @@ scenes! {
     glass_smooth
     gltf_room
     instances
-    lamps_hidden
-    lamps_hidden_direct
-    lamps_seen
     lanczos
     linearcurve
     maps_around_sides
@@ -106,11 +106,11 @@ scenes! {
     roulette
     serialized
     smooth_obj
-    sphere_lamp
+    sphere_emitter
     sphere_shadow
     spot_light
-    spot_picture
-    textured_lamp
+    spot_texture
+    textured_emitter
     thinlens
     turned_normals
     twosided

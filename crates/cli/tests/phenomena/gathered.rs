@@ -18,12 +18,12 @@ pub fn agree(folder: &Folder, parameter: &str, edges: Edges, reference: &Estimat
     let scene = folder.scene();
     let tangent = tangent(folder, &scene, parameter);
     let lights = &tangent.emitters;
-    let is_at_rest = tangent.shapes.iter().all(Option::is_none)
+    let is_stationary = tangent.shapes.iter().all(Option::is_none)
         && tangent.sensor == SensorVectors::default()
         && lights
             .iter()
             .all(|light| *light == EmitterVectors::default());
-    if is_at_rest {
+    if is_stationary {
         return;
     }
     let [walk, gathered, auto] =

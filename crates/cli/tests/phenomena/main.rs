@@ -42,9 +42,15 @@ phenomena! {
     curve_moves
     cylinder_moves
     depth_of_a_turning_cube
+    discontinuous_texture
+    emitter_cut_by_a_blade
+    emitter_moves
     emitter_moves_in_view
+    emitter_of_many_edges_moves
     emitter_of_texels_moves
     emitter_on_black
+    emitter_seen_by_reflection_moves
+    emitters_that_touch
     environment_light_moving_occluder
     environment_texel
     glossy_floor_reflects_a_moving_ball
@@ -53,16 +59,12 @@ phenomena! {
     hard_shadow_in_a_mirror_before_orthographic_sensor
     hard_shadow_of_a_point_light
     hard_shadow_on_a_moving_receiver
+    image_of_a_projector
     index_of_refraction
     indirect_shadow
     instance_moves
     interpenetrating_meshes
     interreflection
-    lamp_cut_by_a_blade
-    lamp_moves
-    lamp_of_many_edges_moves
-    lamp_seen_by_reflection_moves
-    lamps_that_touch
     light_moves_before_a_curved_mirror
     mask_of_texels
     mask_silhouette
@@ -75,11 +77,6 @@ phenomena! {
     occluder_and_receiver_move_together
     open_mesh_moves
     orthographic_sensor_turns
-    outline_with_a_box_filter
-    outline_with_negative_lobes
-    outline_with_negative_lobes_cut_off
-    outline_with_the_border_sampled
-    picture_of_a_projector
     point_light_moves
     principled_ball_moves
     radiance
@@ -100,6 +97,10 @@ phenomena! {
     shadow_receiver_moves
     shadow_through_a_glass_plate
     shadow_through_a_pane
+    silhouette_with_a_box_filter
+    silhouette_with_negative_lobes
+    silhouette_with_negative_lobes_cut_off
+    silhouette_with_the_border_sampled
     smooth_sphere_under_constant_light
     sphere_emitter_grows
     spot_light_moves
@@ -107,7 +108,6 @@ phenomena! {
     sun_turns
     surface_cut_by_the_near_plane
     texture_texel
-    texture_that_jumps
     textured_emitter_moves
     textured_plane_moves
     two_occluders_cross
@@ -175,7 +175,7 @@ fn run(name: &str) {
 #[test]
 fn the_command_agrees() {
     for (name, parameter) in [
-        ("outline_with_a_box_filter", "ball.translate.x"),
+        ("silhouette_with_a_box_filter", "ball.translate.x"),
         ("shadow_of_a_moving_occluder", "thing.translate.x"),
     ] {
         let folder = Folder::new(name);

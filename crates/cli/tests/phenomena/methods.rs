@@ -40,7 +40,7 @@ pub fn by(options: GradientOptions, spp: u32, scene: &Scene, tangent: &Tangent) 
 
 /// Demands that the derivative with these options agrees with the differences. The scene has
 /// the samples that walks need; often an eighth of them tells. A factor that is wrong by 10 % comes
-/// out as right three times as often as with one look, in 7 % of cases at most.
+/// out as right three times as often as with one comparison, in 7 % of cases at most.
 pub fn agrees(
     name: &str,
     options: GradientOptions,
@@ -49,8 +49,8 @@ pub fn agrees(
     differences: &Estimate,
 ) {
     let spp = scene.settings.spp;
-    let looks = [spp / 8, spp / 2, spp].into_iter();
-    for spp in looks.filter(|&spp| spp >= LEAST) {
+    let sizes = [spp / 8, spp / 2, spp].into_iter();
+    for spp in sizes.filter(|&spp| spp >= LEAST) {
         let result = compare(&by(options, spp, scene, tangent), differences);
         println!("{name}, {spp} samples: {result}");
         assert!(

@@ -9,7 +9,7 @@ use capwalk_diff::{
 };
 use capwalk_scene::{SamplerKind, Scene};
 
-/// A cube whose outline moves over few of the pixels.
+/// A cube whose silhouette moves over few of the pixels.
 fn scene() -> Scene {
     let mut scene = visible_cube();
     (scene.film.size, scene.film.crop_size) = ([32, 32], [32, 32]);

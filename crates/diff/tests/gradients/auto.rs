@@ -396,7 +396,7 @@ fn reverse_mode_chooses_too() {
     assert!(work.chosen(&Unwatched).expect("covered").trials.is_empty());
 }
 
-/// Against differences: shadows, outlines, light from surfaces.
+/// Against differences: shadows, silhouettes, light from surfaces.
 #[test]
 fn what_is_chosen_is_right() {
     let automatic = |case: Case| Case {
@@ -422,5 +422,5 @@ fn what_is_chosen_is_right() {
         min_pixels: 700,
         ..primary()
     };
-    agree("outline", scene, &motion, automatic(case));
+    agree("silhouette", scene, &motion, automatic(case));
 }

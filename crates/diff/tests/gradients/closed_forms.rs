@@ -69,26 +69,26 @@ fn triangles<'a>(scene: &'a Scene, id: &'a str) -> impl Iterator<Item = [Vec3; 3
     })
 }
 
-/// Irradiance from the lamp, of radiance 1, less what the triangles of the thing
+/// Irradiance from the emitter, of radiance 1, less what the triangles of the thing
 /// before it hide, if there is one.
 fn exact(scene: &Scene, lit: Lit) -> f64 {
-    let of_lamp = triangles(scene, "lamp").map(|lamp| {
-        let hidden = triangles(scene, "thing").map(|t| lambert(&behind(&lamp, t, lit.0), lit));
-        lambert(&lamp, lit) - hidden.sum::<f64>()
+    let of_emitter = triangles(scene, "lamp").map(|emitter| {
+        let hidden = triangles(scene, "thing").map(|t| lambert(&behind(&emitter, t, lit.0), lit));
+        lambert(&emitter, lit) - hidden.sum::<f64>()
     });
-    of_lamp.sum()
+    of_emitter.sum()
 }
 
 /// The derivative of a closed form along a motion: its central difference, which
 /// has eight digits.
-fn slope(scene: &Scene, tangent: &Tangent, of: impl Fn(&Scene) -> f64) -> f64 {
+fn difference_of(scene: &Scene, tangent: &Tangent, of: impl Fn(&Scene) -> f64) -> f64 {
     const STEP: f64 = 1e-4;
     let [above, below] = [STEP, -STEP].map(|step| of(&scene.moved(tangent, step)));
     (above - below) / (2.0 * STEP)
 }
 
 /// Estimates at points along motions against the closed form. Errors are at most
-/// this fraction of the light of the lamp, per unit of the motion.
+/// this fraction of the light of the emitter, per unit of the motion.
 fn meet_exact(scene: &Scene, points: &[Lit], names: &[&str], samples: u32, precision: f64) {
     scene.check().expect("a valid scene");
     for name in names {
@@ -106,7 +106,7 @@ fn meet_exact(scene: &Scene, points: &[Lit], names: &[&str], samples: u32, preci
                 value,
                 precision,
             );
-            let derivative = slope(scene, &tangent, |scene| exact(scene, lit));
+            let derivative = difference_of(scene, &tangent, |scene| exact(scene, lit));
             let moments = result.gradient;
             let title = format!("point {i}, {name}");
             equals(
@@ -125,7 +125,7 @@ fn nothing() -> Scene {
     empty(v(0.0, -5.0, 1.0), v(0.0, 0.0, 1.0), 40.0, 4)
 }
 
-/// Below a rectangular lamp, tilted, and so that the lamp is partly below the
+/// Below a rectangular emitter, tilted, and so that the emitter is partly below the
 /// horizon.
 fn three_points() -> Vec<Lit> {
     [
@@ -148,9 +148,9 @@ const RIGID: [&str; 7] = [
 ];
 
 #[test]
-fn a_rectangular_lamp() {
+fn a_rectangular_emitter() {
     let mut scene = nothing();
-    add_lamp(&mut scene, v(0.1, 0.0, 1.2), 0.9, 0.4, 1.0);
+    add_emitter(&mut scene, v(0.1, 0.0, 1.2), 0.9, 0.4, 1.0);
     meet_exact(&scene, &three_points(), &RIGID, 20_000, 0.02);
     // One edge, and one corner by itself.
     let others = [
@@ -161,10 +161,10 @@ fn a_rectangular_lamp() {
     meet_exact(&scene, &three_points(), &others, 20_000, 0.02);
 }
 
-/// With so many edges that they are boundaries of the field, not flux. Below the
+/// With so many edges that they are boundaries of the field: no emitter-edge term. Below the
 /// middle of a true disk E = π L r² / (r² + h²).
 #[test]
-fn a_disk_lamp() {
+fn a_disk_emitter() {
     let (radius, height) = (0.5, 1.1);
     let down = Affine::rotate(v(1.0, 0.0, 0.0), PI);
     let size = Affine::scale(Vec3::splat(radius));
@@ -179,7 +179,8 @@ fn a_disk_lamp() {
     let e = PI * radius * radius / squared;
     let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-3 * b.abs(), "{a} {b}");
     near(exact(&scene, below), e);
-    let along = |name: &str| slope(&scene, &tangent(&scene, name), |scene| exact(scene, below));
+    let along =
+        |name: &str| difference_of(&scene, &tangent(&scene, name), |scene| exact(scene, below));
     near(along("lamp.scale"), 2.0 * e * height * height / squared);
     near(along("lamp.translate.z"), -2.0 * e * height / squared);
 
@@ -187,8 +188,8 @@ fn a_disk_lamp() {
     meet_exact(&scene, &points, &RIGID, 20_000, 0.03);
 }
 
-fn add_lamp_behind_triangle(scene: &mut Scene) {
-    add_lamp(scene, v(0.1, 0.0, 1.2), 0.9, 0.4, 1.0);
+fn add_emitter_behind_triangle(scene: &mut Scene) {
+    add_emitter(scene, v(0.1, 0.0, 1.2), 0.9, 0.4, 1.0);
     let triangle = Mesh {
         positions: vec![
             v(-0.05, -0.1, 0.6),
@@ -200,12 +201,12 @@ fn add_lamp_behind_triangle(scene: &mut Scene) {
     add(scene, "thing", triangle, ShadingNormals::Face, 0.5);
 }
 
-/// A triangle before the lamp: within its silhouette as seen from the first point,
+/// A triangle before the emitter: within its silhouette as seen from the first point,
 /// across an edge of it from the second, beside it from the third.
 #[test]
-fn a_triangle_before_a_lamp() {
+fn a_triangle_before_an_emitter() {
     let mut scene = nothing();
-    add_lamp_behind_triangle(&mut scene);
+    add_emitter_behind_triangle(&mut scene);
     let points = [
         (v(0.0, 0.05, 0.0), v(0.0, 0.0, 1.0)),
         (v(0.35, -0.1, 0.1), v(-0.2, 0.1, 1.0).normalized()),
@@ -236,7 +237,7 @@ fn a_triangle_before_a_lamp() {
 fn a_point_in_an_image() {
     let point = v(0.35, -0.1, 0.0);
     let mut scene = empty(v(-3.0, -4.0, 1.0), point, 0.05, 2);
-    add_lamp_behind_triangle(&mut scene);
+    add_emitter_behind_triangle(&mut scene);
     add_floor(&mut scene, 3.0);
     scene.check().expect("a valid scene");
     let at = |scene: &Scene, point: Vec3| 0.7 / PI * exact(scene, (point, v(0.0, 0.0, 1.0)));
@@ -309,7 +310,7 @@ fn parallel_rectangles([a, b, c, d]: [f64; 4], [e, f, g, h]: [f64; 4], z: f64) -
 }
 
 /// Mean irradiance on a unit square from one above it is π times their form
-/// factor, and changes with it when the lamp rises or moves aside.
+/// factor, and changes with it when the emitter rises or moves aside.
 #[test]
 fn form_factors_of_parallel_squares() {
     // Howell's C-11 at distance 1, a number that is often printed.
@@ -363,12 +364,12 @@ fn form_factors_of_parallel_squares() {
         }
         let [error, change_error] = errors.map(f64::sqrt);
         equals("form factor", value, error, factor(0.0, 0.0, 0.0), 2e-3);
-        let slope = (factor(dx, dy, dz) - factor(-dx, -dy, -dz)) / (2.0 * STEP);
+        let derivative = (factor(dx, dy, dz) - factor(-dx, -dy, -dz)) / (2.0 * STEP);
         equals(
             &format!("form factor, {axis}"),
             change,
             change_error,
-            slope,
+            derivative,
             8e-3,
         );
     }

@@ -38,13 +38,13 @@ fn add_ball(scene: &mut Scene, id: &str, radius: f64) {
     add(scene, id, ball, normals, 0.5);
 }
 
-/// A small ball that is a perfect mirror on a floor, under a lamp.
+/// A small ball that is a perfect mirror on a floor, under an emitter.
 fn stage() -> Scene {
     let mut scene = empty(v(0.2, -4.0, 1.5), v(0.0, 0.0, 0.4), 34.0, 8);
     set_size(&mut scene, [8, 6]);
     paths(&mut scene, 3);
     add_floor(&mut scene, 4.0);
-    add_lamp(&mut scene, v(0.9, -0.6, 2.6), 0.8, 0.3, 10.0);
+    add_emitter(&mut scene, v(0.9, -0.6, 2.6), 0.8, 0.3, 10.0);
     add_ball(&mut scene, "ball", 0.15);
     make(&mut scene, "ball", |n| n.mirror());
     scene

@@ -112,11 +112,11 @@ fn albedo_in_a_furnace() {
             rr_depth: 4,
             hide_emitters: false,
         };
-        let (light, slope) = match depth {
+        let (light, derivative) = match depth {
             None => (e / (1.0 - a), e / (1.0 - a).powi(2)),
-            Some(depth) => (0..depth as i32).fold((0.0, 0.0), |(light, slope), k| {
+            Some(depth) => (0..depth as i32).fold((0.0, 0.0), |(light, derivative), k| {
                 let term = f64::from(k) * a.powi(k - 1);
-                (light + e * a.powi(k), slope + e * term)
+                (light + e * a.powi(k), derivative + e * term)
             }),
         };
         let tangent = tangent(
@@ -144,8 +144,8 @@ fn albedo_in_a_furnace() {
                 &format!("albedo changed, {depth:?}"),
                 mean,
                 error,
-                slope,
-                0.02 * slope,
+                derivative,
+                0.02 * derivative,
             );
         }
         // The mean of the red channel, in reverse mode.
@@ -167,8 +167,8 @@ fn albedo_in_a_furnace() {
             &format!("reverse, {depth:?}"),
             mean,
             error,
-            slope,
-            0.02 * slope,
+            derivative,
+            0.02 * derivative,
         );
     }
 }

@@ -39,7 +39,7 @@ fn shadow_case(name: &str, scene: Scene, expression: &str) {
     agree(name, scene, &tangent, edges(case));
 }
 
-/// A stage whose lamp is another one, above the thing.
+/// A stage whose emitter is another one, above the thing.
 fn lit_by(mesh: Mesh, radiance: f64) -> Scene {
     let mut scene = with(triangle());
     scene.shapes.retain(|shape| shape.id != "lamp");
@@ -68,14 +68,14 @@ fn occluder_and_receiver() {
 }
 
 #[test]
-fn lamp_moves() {
+fn emitter_moves() {
     let expression = "lamp.translate.x + lamp.rotate.x";
-    shadow_case("lamp", with(small_ball()), expression);
+    shadow_case("emitter", with(small_ball()), expression);
 }
 
 /// One of three corners: its edges are not parallel.
 #[test]
-fn triangular_lamp() {
+fn triangular_emitter() {
     let corners = [[-0.5, -0.4, 0.0], [0.6, -0.3, 0.0], [-0.1, 0.7, 0.0]];
     let mesh = Mesh {
         positions: corners.map(|p| down(1.0).point(p.into())).to_vec(),
@@ -83,7 +83,7 @@ fn triangular_lamp() {
     };
     let scene = lit_by(mesh, 10.0);
     shadow_case(
-        "triangular lamp",
+        "triangular emitter",
         scene,
         "thing.translate.x + bulb.translate.y",
     );
@@ -92,35 +92,35 @@ fn triangular_lamp() {
 /// More edges than are sampled one by one elsewhere; the window of a disk is a
 /// square.
 #[test]
-fn round_lamp() {
+fn round_emitter() {
     let scene = lit_by(disk(down(0.5)).0, 10.0);
     shadow_case("disk", scene, "thing.translate.x + bulb.translate.y");
 }
 
-/// A lamp that is not flat, and shows its own silhouette.
+/// An emitter that is not flat, and shows its own silhouette.
 #[test]
-fn spherical_lamp() {
+fn spherical_emitter() {
     let mesh = placed(icosphere(5), down(0.4));
     let scene = lit_by(mesh, 8.0);
     shadow_case("ball", scene, "thing.translate.x - bulb.translate.y");
 }
 
-/// Lamps that hide each other, of which one is looked at at a time.
+/// Emitters that hide each other, of which one is looked at at a time.
 #[test]
-fn two_lamps() {
+fn two_emitters() {
     let mut scene = with(triangle());
     let (mesh, normals) = rectangle(down(0.3));
     let mesh = placed(mesh, Affine::translate(v(0.1, 0.2, -0.7)));
     add(&mut scene, "bulb", mesh, normals, 0.0);
     light_up(&mut scene, 6.0);
     let expression = "thing.translate.x + bulb.translate.y - lamp.translate.x";
-    shadow_case("two lamps", scene, expression);
+    shadow_case("two emitters", scene, expression);
 }
 
-/// What lies in the plane of a lamp, on it or beside it, hides nothing of it: the lamp is in
+/// What lies in the plane of an emitter, on it or beside it, hides nothing of it: the emitter is in
 /// front. Turned out of the plane, it does.
 #[test]
-fn blind_in_the_plane_of_a_lamp() {
+fn blind_in_the_plane_of_an_emitter() {
     let mut scene = lit_by(rectangle(down(0.5)).0, 8.0);
     let shapes = Arc::make_mut(&mut scene.shapes[1]);
     assert_eq!(shapes.id, "thing");
@@ -151,10 +151,10 @@ fn blind_in_the_plane_of_a_lamp() {
     assert!(!is_zero(&bent.gradient.mean));
 }
 
-/// A lamp in the plane of a ceiling is in front of it, whichever comes first: it has a border,
+/// An emitter in the plane of a ceiling is in front of it, whichever comes first: it has a border,
 /// and shadows.
 #[test]
-fn lamp_in_a_ceiling() {
+fn emitter_in_a_ceiling() {
     let place = |scene: &mut Scene, name: &str, size: f64| {
         let (mesh, normals) = rectangle(down(size));
         add(scene, name, mesh, normals, 0.0);
@@ -173,8 +173,8 @@ fn lamp_in_a_ceiling() {
         }
         for expression in ["thing.translate.x", "bulb.translate.x + 0.5*bulb.scale"] {
             let name = match is_first {
-                true => format!("lamp behind a ceiling, {expression}"),
-                false => format!("lamp before a ceiling, {expression}"),
+                true => format!("emitter behind a ceiling, {expression}"),
+                false => format!("emitter before a ceiling, {expression}"),
             };
             shadow_case(&name, scene.clone(), expression);
         }
@@ -188,9 +188,9 @@ fn edges_on_edges() {
     shadow_case("shadow of edges on edges", scene, &expression);
 }
 
-/// Lamps before a sky: what one method samples is hidden by what the other does.
+/// Emitters before a sky: what one method samples is hidden by what the other does.
 #[test]
-fn lamp_before_a_sky() {
+fn emitter_before_a_sky() {
     let mut scene = with(triangle());
     add_constant_light(&mut scene, 0.6);
     scene.settings.integrator = Integrator::Direct {
@@ -199,7 +199,7 @@ fn lamp_before_a_sky() {
         hide_emitters: false,
     };
     let expression = "thing.translate.x + lamp.translate.y + 0.5*floor.translate.z";
-    shadow_case("lamp before a sky", scene, expression);
+    shadow_case("emitter before a sky", scene, expression);
 }
 
 fn camera_case(name: &str, scene: Scene, expression: &str, case: Case) {
@@ -275,7 +275,7 @@ fn crossing() {
 #[test]
 fn crossing_of_surfaces_of_one_width() {
     let mut scene = empty(v(0.2, -3.0, 1.2), v(0.0, 0.3, 0.2), 40.0, 36);
-    add_lamp(&mut scene, v(0.3, -1.2, 3.0), 1.0, 0.3, 6.0);
+    add_emitter(&mut scene, v(0.3, -1.2, 3.0), 1.0, 0.3, 6.0);
     let (floor, normals) = rectangle(Affine::scale(v(0.8, 0.8, 1.0)));
     add(&mut scene, "floor", floor, normals, 0.2);
     let upright = Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::FRAC_PI_2);

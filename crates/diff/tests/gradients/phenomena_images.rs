@@ -12,8 +12,8 @@ use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::{cube, rectangle};
 use capwalk_scene::*;
 
-/// A floor that the camera looks at, lit by nothing but what a ceiling sends back of a lamp that
-/// shines at it; a block is over the lamp. Paths of at most this many segments.
+/// A floor that the camera looks at, lit by nothing but what a ceiling sends back of an emitter that
+/// shines at it; a block is over the emitter. Paths of at most this many segments.
 fn lit_by_a_ceiling(segments: u32) -> Scene {
     let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 24);
     scene.sensor.near_clip = 5.6;
@@ -82,9 +82,9 @@ fn agrees_over(
     agree_by(&[(Method::EDGES, spp)], name, scene, &tangent, case);
 }
 
-/// The ceiling is a mirror that turns, and shows the floor the block and the lamp, which move.
+/// The ceiling is a mirror that turns, and shows the floor the block and the emitter, which move.
 #[test]
-fn block_and_lamp_in_a_mirror() {
+fn block_and_emitter_in_a_mirror() {
     let mut scene = lit_by_a_ceiling(3);
     make(&mut scene, "ceiling", |n| n.mirror());
     let expression =
@@ -120,10 +120,10 @@ fn one_of_two_mirrors_in_a_plane() {
     );
 }
 
-/// Two lamps lie where a pane shows each the other, so that their edges are seen in the same
+/// Two emitters lie where a pane shows each the other, so that their edges are seen in the same
 /// directions.
 #[test]
-fn lamps_on_either_side_of_a_pane() {
+fn emitters_on_either_side_of_a_pane() {
     let mut scene = lit_by_a_ceiling(3);
     scene.shapes.retain(|shape| shape.id == "floor");
     scene.emitters.clear();
@@ -147,11 +147,22 @@ fn lamps_on_either_side_of_a_pane() {
         pane
     });
     for (id, x, radiance) in [("first", 2.0, 10.0), ("second", -2.0, 3.0)] {
-        let lamp = upright(x, -FRAC_PI_2 * x.signum()) * Affine::scale(v(0.5, 0.5, 1.0));
-        add(&mut scene, id, rectangle(lamp).0, ShadingNormals::Face, 0.0);
+        let place = upright(x, -FRAC_PI_2 * x.signum()) * Affine::scale(v(0.5, 0.5, 1.0));
+        add(
+            &mut scene,
+            id,
+            rectangle(place).0,
+            ShadingNormals::Face,
+            0.0,
+        );
         light_up(&mut scene, radiance);
     }
-    agrees("lamps beside a pane", scene, "floor.rotate.y", [1000, 4000]);
+    agrees(
+        "emitters beside a pane",
+        scene,
+        "floor.rotate.y",
+        [1000, 4000],
+    );
 }
 
 /// The same by way of two mirrors, one after the other.

@@ -20,7 +20,7 @@ fn deep(mut scene: Scene, max_depth: Option<u32>) -> Scene {
     scene
 }
 
-/// A floor that the camera looks at, lit by nothing but a ceiling, which a lamp
+/// A floor that the camera looks at, lit by nothing but a ceiling, which an emitter
 /// below it shines at.
 fn bounced_light() -> Scene {
     let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 36);

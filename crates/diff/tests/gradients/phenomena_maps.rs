@@ -9,13 +9,13 @@ use crate::common::*;
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::*;
 
-/// A floor under a lamp, seen from near by, not at grazing angles alone.
+/// A floor under an emitter, seen from near by, not at grazing angles alone.
 fn mapped_floor(material: impl FnOnce(&mut Slots) -> Bsdf) -> Scene {
     let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 40.0, 36);
     add_floor(&mut scene, 3.0);
     unit_square(&mut scene, "floor");
     make(&mut scene, "floor", material);
-    add_lamp(&mut scene, v(0.1, 0.4, 2.6), 1.0, 0.3, 10.0);
+    add_emitter(&mut scene, v(0.1, 0.4, 2.6), 1.0, 0.3, 10.0);
     scene
 }
 

@@ -15,11 +15,11 @@ use capwalk_scene::primitive::rectangle;
 use capwalk_scene::texture::{Bitmap, TexelFilter, UvTransform, Wrap};
 use capwalk_scene::*;
 
-/// A floor of some material with a thing on it, under a lamp, and a lamp below.
+/// A floor of some material with a thing on it, under an emitter, and an emitter below.
 fn sample_of<B: Into<Bsdf>>(material: impl FnOnce(&mut Slots) -> B) -> Scene {
     let mut scene = empty(v(0.3, -2.0, 2.5), v(0.0, 0.0, 0.0), 40.0, 36);
     add_floor(&mut scene, 3.0);
-    add_lamp(&mut scene, v(0.1, 0.5, 2.5), 1.5, 0.3, 4.0);
+    add_emitter(&mut scene, v(0.1, 0.5, 2.5), 1.5, 0.3, 4.0);
     let (below, normals) = rectangle(Affine::translate(v(0.5, 0.5, -2.0)));
     add(&mut scene, "below", below, normals, 0.0);
     light_up(&mut scene, 3.0);

@@ -21,7 +21,7 @@ use capwalk_scene::*;
 fn block_before_a_mirror() -> Scene {
     let mut scene = empty(v(0.35, -2.2, 1.3), v(0.05, 1.5, 0.75), 32.0, 36);
     add_floor(&mut scene, 6.0);
-    add_lamp(&mut scene, v(0.6, -0.4, 3.0), 2.5, 0.3, 2.0);
+    add_emitter(&mut scene, v(0.6, -0.4, 3.0), 2.5, 0.3, 2.0);
     let turn = Affine::rotate(v(0.1, 0.2, 1.0), 0.5);
     let (block, normals) =
         cube(Affine::translate(v(-0.1, 0.35, 0.5)) * turn * Affine::scale(v(0.22, 0.28, 0.35)));

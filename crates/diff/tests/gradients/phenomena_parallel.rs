@@ -99,12 +99,12 @@ fn triangle_against_its_area() {
         )
         .expect("covered");
         let [above, below] = [STEP, -STEP].map(|step| sky_seen(&scene.moved(&tangent, step)));
-        let [value, slope] = [&result.value, &result.gradient].map(means);
+        let [value, derivative] = [&result.value, &result.gradient].map(means);
         for (i, exact) in sky_seen(&scene).into_iter().enumerate() {
             equals(&format!("value {i}"), value[i].0, value[i].1, exact, 0.01);
             let exact = (above[i] - below[i]) / (2.0 * STEP);
             let title = format!("{name}, {i}");
-            equals(&title, slope[i].0, slope[i].1, exact, 0.02);
+            equals(&title, derivative[i].0, derivative[i].1, exact, 0.02);
         }
     }
 }

@@ -83,8 +83,8 @@ fn focusing_lens() {
     agree("focus", scene, &tangent, case);
 }
 
-/// The film moves under the image: everywhere, so that the flux through the
-/// borders of pixels counts.
+/// The film moves under the image: everywhere, so that the pixel-border term
+/// counts.
 #[test]
 fn zooming() {
     let scene = visible_cube();

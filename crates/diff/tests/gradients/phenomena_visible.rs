@@ -72,7 +72,7 @@ fn coarse_smooth_ball_inside_out() {
 fn early_roulette() {
     let mut scene = empty(v(0.3, -2.0, 1.0), v(0.0, 1.0, 0.0), 60.0, 36);
     add_floor(&mut scene, 8.0);
-    add_lamp(&mut scene, v(0.0, 0.0, 4.0), 10.0, 0.3, 3.0);
+    add_emitter(&mut scene, v(0.0, 0.0, 4.0), 10.0, 0.3, 3.0);
     scene.settings.integrator = Integrator::Path {
         max_depth: Some(2),
         rr_depth: 1,

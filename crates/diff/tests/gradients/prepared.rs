@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use crate::common::stages::{placed, under_a_sky, visible_ball, visible_cube, with_parallel_rays};
-use crate::common::{add, add_lamp, v};
+use crate::common::{add, add_emitter, v};
 use capwalk_diff::{
     GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted, backward, gradient,
     render,
@@ -59,7 +59,7 @@ fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
 fn colours_need_no_boundaries() {
     let mut scene = under_a_sky(visible_ball(Filter::Tent { radius: 1.0 }));
     (scene.film.size, scene.film.crop_size) = ([9, 8], [9, 8]);
-    add_lamp(&mut scene, v(0.3, -0.2, 3.0), 0.8, 0.2, 4.0);
+    add_emitter(&mut scene, v(0.3, -0.2, 3.0), 0.8, 0.2, 4.0);
     let name = "floor.bsdf.reflectance.value";
     let colour = Registry::new(&scene).tangent(&scene, name).expect("a name");
     let mut turning = colour.clone();
@@ -146,11 +146,11 @@ fn whatever_changes() {
 }
 
 /// The brightness of several emitters, by which they are chosen: the scale of a sky, one texel of
-/// it, and numbers at the faces of a lamp.
+/// it, and numbers at the faces of an emitter.
 #[test]
 fn brightness_of_emitters() {
     let mut scene = under_a_sky(visible_cube());
-    add_lamp(&mut scene, v(0.3, -0.2, 3.0), 0.8, 0.2, 4.0);
+    add_emitter(&mut scene, v(0.3, -0.2, 3.0), 0.8, 0.2, 4.0);
     let glow = scene.add_texture(Texture {
         id: "lamp.face_glow".into(),
         channels: 1,
@@ -170,7 +170,7 @@ fn brightness_of_emitters() {
         data: Vec::new(),
         pattern: Pattern::MeshAttribute { name, scale: 2.0 },
     });
-    *scene.emitters.last_mut().expect("the lamp") = Emitter::Area { shape, radiance };
+    *scene.emitters.last_mut().expect("the emitter") = Emitter::Area { shape, radiance };
     let steps = [
         ("sky.scale", 1.5),
         ("lamp.face_glow[1]", 3.0),

@@ -1,4 +1,4 @@
-//! METHOD's reference set-up: floor points under a square lamp, an icosphere
+//! METHOD's reference set-up: floor points under a square emitter, an icosphere
 //! of 320 faces between them, moving in x.
 
 use crate::common::irradiance::{Irradiance, difference, irradiance};

@@ -34,7 +34,7 @@ fn refusals(scene: &Scene, tangent: &Tangent) -> [Option<String>; 2] {
 }
 
 #[test]
-fn a_lamp_that_moves_in_a_mirror() {
+fn an_emitter_that_moves_in_a_mirror() {
     let mut scene = mirror_floor();
     assert!(is_refused(&scene, "lamp.translate.x"));
     assert!(is_refused(&scene, "sensor.translate.x"));
@@ -69,7 +69,7 @@ fn a_blocker_that_moves_in_a_mirror() {
 fn blocker_in_glass(max_depth: u32) -> Scene {
     let mut scene = empty(v(0.0, -4.0, 0.5), v(0.0, 0.0, 0.0), 30.0, 12);
     add_floor(&mut scene, 3.0);
-    add_lamp(&mut scene, v(0.0, 0.0, 3.0), 1.5, 0.3, 10.0);
+    add_emitter(&mut scene, v(0.0, 0.0, 3.0), 1.5, 0.3, 10.0);
     let pane = Affine::translate(v(0.0, 0.0, 0.8)) * Affine::scale(v(3.0, 3.0, 1.0));
     let (mesh, normals) = rectangle(pane);
     add(&mut scene, "pane", mesh, normals, 0.0);
@@ -192,9 +192,9 @@ fn numbers_without_a_derivative() {
     }
 }
 
-/// Lines where textures jump are boundaries, if there are not too many of them.
+/// Lines where textures are discontinuous are boundaries, if there are not too many of them.
 #[test]
-fn motion_beside_textures_that_jump() {
+fn motion_beside_discontinuous_textures() {
     for (squares, method, why) in [
         (4.0, Method::Walk, ""),
         (4.0, Method::EDGES, ""),
@@ -292,7 +292,7 @@ fn collapsed_texture_coordinates_say_nothing() {
     let normals = corners.map(|[_, z]| v(0.5, -0.7, 0.5 * z).normalized());
     let normals = ShadingNormals::Given(normals.to_vec());
     add(&mut scene, "sheet", sheet, normals, 0.5);
-    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
+    add_emitter(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
     make(&mut scene, "sheet", |n| {
         let mut facets = n.facets(Distribution::Ggx, 0.05);
         facets.alpha_v = n.number("alpha_v", 0.5);
@@ -312,7 +312,7 @@ fn collapsed_texture_coordinates_say_nothing() {
     );
 }
 
-/// No steps make a field that jumps (paper, Section 5.1), no angle makes none.
+/// No steps make a discontinuous field (paper, Section 5.1), no angle makes none.
 #[test]
 fn walks_without_steps_or_reach() {
     let scene = mirror_floor();

@@ -59,7 +59,7 @@ fn smooth_ball() {
     agree_in_both_modes("ball, indirect", scene, 4);
 }
 
-/// Normals given with the mesh, a box filter with its flux through borders.
+/// Normals given with the mesh, a box filter with its pixel-border term.
 #[test]
 fn given_normals() {
     let mut scene = visible_ball(Filter::Box);
@@ -133,7 +133,7 @@ fn crossing_surfaces() {
     agree_in_both_modes("crossing", scene, 3);
 }
 
-/// An environment, and no lamp.
+/// An environment, and no emitter.
 #[test]
 fn constant_light() {
     let mut scene = visible_cube();

@@ -12,9 +12,9 @@ use crate::scenes;
 /// the CPU samples them by solid angle.
 pub const SMALL_EMITTERS: [&str; 5] = [
     "parity/cylinder.xml",
-    "parity/disk_lamp.xml",
-    "parity/sphere_lamp.xml",
-    "scenes/lamp_of_many_edges_moves/scene.xml",
+    "parity/disk_emitter.xml",
+    "parity/sphere_emitter.xml",
+    "scenes/emitter_of_many_edges_moves/scene.xml",
     "scenes/sphere_emitter_grows/scene.xml",
 ];
 

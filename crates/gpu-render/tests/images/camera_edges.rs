@@ -107,7 +107,7 @@ const EMITTERS: &str = r#"
   </shape>
   <emitter type="constant"><rgb name="radiance" value="0.1, 0.2, 0.3"/></emitter>"#;
 
-/// A floor and a wall of a material, lit by a lamp and a sign, and a black block near the camera,
+/// A floor and a wall of a material, lit by an emitter and a sign, and a black block near the camera,
 /// before the sign: no light on its way from emitters to floor and wall, or between them, passes the
 /// block.
 fn lit_room(material: &str) -> String {

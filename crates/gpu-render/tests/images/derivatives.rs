@@ -256,11 +256,11 @@ fn derivatives_may_be_large_and_small() {
     };
     let mut scene = scenes::scene("parity/colour_bleeding.xml");
     scene.film.resize([16, 12]);
-    // A lamp that is bright in one channel.
+    // An emitter that is bright in one channel.
     let emitting = scene.emitters[0].radiance();
-    let lamp = Arc::make_mut(&mut scene.textures[emitting.0 as usize]);
-    lamp.data = vec![1e7, 1e-3, 1.0];
-    lamp.channels = 3;
+    let emitter = Arc::make_mut(&mut scene.textures[emitting.0 as usize]);
+    emitter.data = vec![1e7, 1e-3, 1.0];
+    emitter.channels = 3;
     let prepared = PreparedScene::new(scene);
     let scene = prepared.scene();
     let wanted = Wanted::by(&all_texels(scene));

@@ -82,7 +82,7 @@ pub fn block(id: &str, material: &str, size: f64, [x, y, z]: [f64; 3]) -> String
 }
 
 /// A rectangle that looks down and emits, half as large as given.
-pub fn lamp(id: &str, size: f64, [x, y, z]: [f64; 3], radiance: &str) -> String {
+pub fn emitter(id: &str, size: f64, [x, y, z]: [f64; 3], radiance: &str) -> String {
     format!(
         r#"<shape type="rectangle" id="{id}">
     <transform name="to_world">
@@ -127,7 +127,7 @@ pub const SKY: &str =
     r#"<emitter type="constant"><rgb name="radiance" value="0.5, 0.7, 1"/></emitter>"#;
 const MAP: &str = r#"<emitter type="envmap"><string name="filename" value="sky.exr"/></emitter>"#;
 
-/// What a large lamp emits, and something else.
+/// What a large emitter emits, and something else.
 const EMITS: &str = r#"<rgb name="radiance" value="2, 3, 2.5"/>"#;
 const CHECKS: &str = r#"<texture type="checkerboard" name="radiance">
       <rgb name="color0" value="1, 2, 3"/>
@@ -135,9 +135,9 @@ const CHECKS: &str = r#"<texture type="checkerboard" name="radiance">
       <transform name="to_uv"><scale x="2" y="1.5"/></transform>
     </texture>"#;
 
-/// Where the block and the lamp are, unless a scene says otherwise.
+/// Where the block and the emitter are, unless a scene says otherwise.
 pub const BLOCK: [f64; 3] = [0.0, 1.2, -0.6];
-const LAMP: [f64; 3] = [0.2, 3.5, -1.5];
+const EMITTER: [f64; 3] = [0.2, 3.5, -1.5];
 
 /// A scene in which some shapes move, all alike.
 pub struct Case {
@@ -170,8 +170,8 @@ pub fn case(name: &'static str, things: impl IntoIterator<Item = String>) -> Cas
 
 pub fn cases() -> Vec<Case> {
     let black = || block("block", "black", 0.35, BLOCK);
-    let small = || lamp("lamp", 0.15, LAMP, "60, 50, 40");
-    let large = || lamp("lamp", 1.0, LAMP, "2, 3, 2.5");
+    let small = || emitter("lamp", 0.15, EMITTER, "60, 50, 40");
+    let large = || emitter("lamp", 1.0, EMITTER, "2, 3, 2.5");
     let lights_the_wall = || {
         r#"<shape type="rectangle">
     <transform name="to_world">
@@ -203,10 +203,10 @@ pub fn cases() -> Vec<Case> {
     let spin = Vec3::new(0.5, -0.8, 0.4);
     let emits = r#"<emitter type="area"><rgb name="radiance" value="9, 8, 7"/></emitter>"#;
     vec![
-        case("a small lamp", [black(), small()]),
+        case("a small emitter", [black(), small()]),
         Case {
             rotation: spin,
-            ..case("a large lamp", [black(), large()])
+            ..case("a large emitter", [black(), large()])
         },
         Case {
             floor: METAL,
@@ -219,32 +219,32 @@ pub fn cases() -> Vec<Case> {
         Case {
             moving: vec!["lamp"],
             velocity: level,
-            ..case("a lamp moves", [black(), large()])
+            ..case("an emitter moves", [black(), large()])
         },
         // What emits has edges inside: lines of its texture, and where a block passes through it.
         Case {
             moving: vec!["lamp"],
             velocity: level,
             ..case(
-                "a lamp of checks moves",
+                "an emitter of checks moves",
                 [large()
                     .replace(EMITS, CHECKS)
                     .replace(r#"value="1""#, r#"value="0.7""#)],
             )
         },
         case(
-            "a lamp is cut",
+            "an emitter is cut",
             [block("block", "black", 0.4, [0.3, 3.4, -1.3]), large()],
         ),
         Case {
             moving: vec!["block", "other"],
             velocity: level,
             ..case(
-                "two lamps",
+                "two emitters",
                 [
                     black(),
                     small(),
-                    lamp("other", 0.4, [-1.2, 2.8, -0.8], "3, 9, 9"),
+                    emitter("other", 0.4, [-1.2, 2.8, -0.8], "3, 9, 9"),
                 ],
             )
         },
@@ -259,7 +259,7 @@ pub fn cases() -> Vec<Case> {
             [ball("block", BLACK, 0.4, [0.0, 1.3, -0.5]), large(), sky()],
         ),
         case(
-            "a lamp that is a ball",
+            "an emitter that is a ball",
             [black(), ball("lamp", emits, 0.4, [0.3, 3.2, -1.2])],
         ),
         // Interpolated normals, and many edges that do not move.
@@ -293,7 +293,7 @@ pub fn cases() -> Vec<Case> {
             depth: 3,
             ..case("before a wall", [black(), wall("grey"), large()])
         },
-        // Lit by the wall alone, nearly, which sees the lamp; nothing is lit twice.
+        // Lit by the wall alone, nearly, which sees the emitter; nothing is lit twice.
         Case {
             depth: 3,
             ..case("by a wall", [black(), wall("grey"), lights_the_wall()])
@@ -430,7 +430,7 @@ fn boundary_terms_are_those_of_the_cpu() {
         velocity: Vec3::new(0.5, 0.3, 0.4),
         ..case(
             "a wall moves",
-            [wall("metal"), lamp("lamp", 1.0, LAMP, "2, 3, 2.5")],
+            [wall("metal"), emitter("lamp", 1.0, EMITTER, "2, 3, 2.5")],
         )
     };
     for case in cases().into_iter().chain([wall_moves]) {

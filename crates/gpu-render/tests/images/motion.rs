@@ -190,11 +190,11 @@ const MORE_SCENES: [&str; 14] = [
     "parity/cube_sky.xml",
     "parity/cylinder.xml",
     "parity/environment_map.xml",
-    "parity/lamps_seen.xml",
+    "parity/emitters_seen.xml",
     "parity/metal_smooth.xml",
     "parity/mitchell.xml",
     "parity/roughplastic.xml",
-    "parity/textured_lamp.xml",
+    "parity/textured_emitter.xml",
     "parity/thinlens.xml",
 ];
 

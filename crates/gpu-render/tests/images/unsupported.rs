@@ -27,7 +27,7 @@ fn what_is_missing_is_named() {
         ("parity/mask.xml", "is of the type mask"),
         ("parity/point_light.xml", "is of the type point"),
         (
-            "scenes/lamps_that_touch/scene.xml",
+            "scenes/emitters_that_touch/scene.xml",
             "an emitter is in the plane of another surface",
         ),
         (

@@ -11,7 +11,7 @@ use capwalk_render::{Grid, PreparedScene, RenderOptions, Unwatched};
 use crate::beside::different;
 use crate::derivatives::adjoint;
 use crate::device;
-use crate::edges::{BLOCK, Case, GREY, SKY, ball, block, case, cases, lamp, wall};
+use crate::edges::{BLOCK, Case, GREY, SKY, ball, block, case, cases, emitter, wall};
 use crate::motion::{assert_same, everything, samples_among, with_sensor};
 
 /// Samples differ if their derivatives do by more than this, relatively.
@@ -36,13 +36,13 @@ const WALKS: Method = Method::Edges(Gathers {
     ..Gathers::ALL
 });
 
-/// Surfaces whose edges are seen in mirrors, or which are mirrors, all of grey things under a lamp.
+/// Surfaces whose edges are seen in mirrors, or which are mirrors, all of grey things under an emitter.
 fn mirrors() -> Vec<Case> {
     let things = |wall: String| {
         [
             block("block", "grey", 0.35, BLOCK),
             wall,
-            lamp("lamp", 1.0, [0.2, 3.5, -1.5], "2, 3, 2.5"),
+            emitter("lamp", 1.0, [0.2, 3.5, -1.5], "2, 3, 2.5"),
         ]
     };
     let turned = |id: &str, x: f64, angle: f64| {
@@ -80,7 +80,7 @@ fn mirrors() -> Vec<Case> {
                     block("block", "grey", 0.3, [0.0, 0.5, -0.6]),
                     turned("left", -1.2, 70.0),
                     turned("right", 1.2, -70.0),
-                    lamp("lamp", 1.0, [0.2, 3.5, -0.5], "2, 3, 2.5"),
+                    emitter("lamp", 1.0, [0.2, 3.5, -0.5], "2, 3, 2.5"),
                 ],
             )
         },
@@ -91,7 +91,7 @@ fn mirrors() -> Vec<Case> {
                 [
                     ball("block", GREY, 0.4, [0.0, 1.0, -0.5]),
                     wall("mirror"),
-                    lamp("lamp", 1.0, [0.2, 3.5, -1.5], "2, 3, 2.5"),
+                    emitter("lamp", 1.0, [0.2, 3.5, -1.5], "2, 3, 2.5"),
                 ],
             )
         },
@@ -103,7 +103,7 @@ fn turning_ball() -> Case {
     let things = [
         ball("ball", GREY, 1.0, [0.0, -0.6, 0.4]),
         wall("grey"),
-        lamp("lamp", 1.0, [0.2, 3.5, -0.5], "2, 3, 2.5"),
+        emitter("lamp", 1.0, [0.2, 3.5, -0.5], "2, 3, 2.5"),
     ];
     Case {
         depth: 3,

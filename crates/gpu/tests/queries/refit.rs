@@ -10,7 +10,7 @@ use capwalk_math::Vec3;
 use super::adapter;
 use super::meshes::{self, Placed, Random};
 use super::rays;
-use super::silhouettes::{check, cones, edges_of, there};
+use super::silhouettes::{check, cones, edges_of, on_device};
 
 /// Rays and cones after each motion.
 const QUERIES: usize = 40;
@@ -106,7 +106,7 @@ fn cones_follow() {
         for original in some() {
             let edges = edges_of(&original.mesh);
             let mut tree = SilhouetteTree::build(&original.mesh, &edges);
-            let Some(mut device) = there(gpu, &tree) else {
+            let Some(mut device) = on_device(gpu, &tree) else {
                 return;
             };
             for moved in motions(&original, &mut random) {
@@ -162,7 +162,7 @@ fn other_meshes_are_refused() {
         SilhouetteTree::build(&original.mesh, &edges),
     );
     let mut ray_device = DeviceRayTree::new(&gpu, &ray_tree).expect("enough memory");
-    let Some(mut edge_device) = there(&gpu, &edge_tree) else {
+    let Some(mut edge_device) = on_device(&gpu, &edge_tree) else {
         return;
     };
     let hits = ray_device.first_hits(&rays).expect("answers");

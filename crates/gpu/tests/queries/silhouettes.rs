@@ -230,9 +230,9 @@ fn check_gathered(
 }
 
 /// The tree on the device; `None`, after a note, where cones cannot be asked.
-pub fn there(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Option<DeviceSilhouetteTree> {
+pub fn on_device(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Option<DeviceSilhouetteTree> {
     match DeviceSilhouetteTree::new(gpu, tree) {
-        Ok(there) => Some(there),
+        Ok(tree) => Some(tree),
         Err(error @ GpuError::Unusable { .. }) => {
             adapter::skip(&error.to_string());
             None
@@ -296,7 +296,7 @@ fn cones_find_what_brute_force_finds() {
         for mut placed in meshes::all() {
             let edges = edges_of(&placed.mesh);
             let mut tree = SilhouetteTree::build(&placed.mesh, &edges);
-            let Some(mut device) = there(gpu, &tree) else {
+            let Some(mut device) = on_device(gpu, &tree) else {
                 return;
             };
             let some = cones(&placed, &mut random, CONES);
@@ -359,7 +359,7 @@ fn far_apexes() {
                 });
             }
         }
-        let Some(device) = there(gpu, &tree) else {
+        let Some(device) = on_device(gpu, &tree) else {
             return;
         };
         let [found, _] = check(gpu, &placed, &edges, &tree, &device, &far);
@@ -375,7 +375,7 @@ fn batches_of_any_size() {
         let placed = meshes::all().swap_remove(0);
         let edges = edges_of(&placed.mesh);
         let tree = SilhouetteTree::build(&placed.mesh, &edges);
-        let Some(device) = there(gpu, &tree) else {
+        let Some(device) = on_device(gpu, &tree) else {
             return;
         };
         let many = cones(&placed, &mut random, 9_000);
@@ -410,7 +410,7 @@ fn batches_of_any_size() {
 fn empty_tree() {
     adapter::each(|gpu| {
         let tree = SilhouetteTree::build(&Mesh::default(), &[]);
-        let Some(device) = there(gpu, &tree) else {
+        let Some(device) = on_device(gpu, &tree) else {
             return;
         };
         let query = ConeQuery {

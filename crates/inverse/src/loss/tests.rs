@@ -70,10 +70,10 @@ fn adjoints_are_derivatives() {
                             value(&moved)
                         };
                         let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
-                        let slope = adjoint.pixels[pixel][channel];
+                        let derivative = adjoint.pixels[pixel][channel];
                         assert!(
-                            (slope - difference).abs() < 1e-6 * (1.0 + slope.abs()),
-                            "{distance:?} {levels} {pixel} {channel}: {slope} {difference}"
+                            (derivative - difference).abs() < 1e-6 * (1.0 + derivative.abs()),
+                            "{distance:?} {levels} {pixel} {channel}: {derivative} {difference}"
                         );
                     }
                 }

@@ -304,10 +304,10 @@ fn pulls_are_transposes() {
             dot(&variables.values(&moved), &pulled)
         };
         let difference = (at(1e-6) - at(-1e-6)) / 2e-6;
-        let slope = dot(&by_unknowns, &velocities);
+        let derivative = dot(&by_unknowns, &velocities);
         assert!(
-            (difference - slope).abs() < 1e-6 * slope.abs().max(1.0),
-            "{specs:?}: {difference} {slope}"
+            (difference - derivative).abs() < 1e-6 * derivative.abs().max(1.0),
+            "{specs:?}: {difference} {derivative}"
         );
     }
 }

@@ -169,19 +169,19 @@ fn two_sided(mut scene: Scene) -> Scene {
     scene
 }
 
-/// With a picture on all surfaces, both sides of them, normals at vertices, points that are not
-/// independent, filters with weights, and a lamp that is wide where it is near.
+/// With a texture on all surfaces, both sides of them, normals at vertices, points that are not
+/// independent, filters with weights, and an emitter that is wide where it is near.
 #[test]
 fn lanes_sample_other_surfaces() {
     let room = || scene("box-room", path(Some(4)));
     samples_are_those_of_the_tracer("both sides", two_sided(room()));
-    let mut pictures = painted(with_ball(room()));
-    pictures.settings.sampler = SamplerKind::Sobol;
-    pictures.film.filter = Filter::Gaussian { stddev: 0.5 };
-    samples_are_those_of_the_tracer("pictures", pictures);
+    let mut textured = painted(with_ball(room()));
+    textured.settings.sampler = SamplerKind::Sobol;
+    textured.film.filter = Filter::Gaussian { stddev: 0.5 };
+    samples_are_those_of_the_tracer("textured", textured);
     let mut wide = scene("box-room", direct(false));
-    let lamp = wide.shapes.iter_mut().find(|shape| shape.emitter.is_some());
-    let mesh = &mut std::sync::Arc::make_mut(lamp.expect("a lamp")).mesh;
+    let emitter = wide.shapes.iter_mut().find(|shape| shape.emitter.is_some());
+    let mesh = &mut std::sync::Arc::make_mut(emitter.expect("an emitter")).mesh;
     let (low, high) = mesh.bounds();
     let centre = (low + high) * 0.5;
     let wider = |p: &mut Vec3| *p = centre + (*p - centre) * 3.0;
@@ -353,7 +353,7 @@ fn of_all_materials(mut scene: Scene, shown: &[(&str, u32, bool)]) -> Scene {
     scene
 }
 
-/// A sheet below the lamp.
+/// A sheet below the emitter.
 fn with_sheet(mut scene: Scene) -> Scene {
     let back = scene.shapes.iter().find(|shape| shape.id == "back");
     let mut sheet = Shape::clone(back.expect("a wall"));
@@ -408,7 +408,7 @@ fn lanes_sample_other_materials() {
     ];
     let room = of_all_materials(scene("box-room", direct(false)), &shown);
     samples_are_those_of_the_tracer("diffuse lobes", room);
-    // What lets light pass, and a lamp that reflects.
+    // What lets light pass, and an emitter that reflects.
     let room = with_ball(with_sheet(scene("box-room", path(None))));
     let shown = [
         ("box", 11, false),
@@ -506,7 +506,7 @@ fn other_scenes_are_not_for_lanes() {
         is_for_lanes(scene)
     };
     assert!(with(|scene| scene) && !with(painted));
-    // What single precision does not resolve: a thin box, a board just before a wall, a lamp just
+    // What single precision does not resolve: a thin box, a board just before a wall, an emitter just
     // before the ceiling, a large image, a camera that is near, and many faces.
     assert!(!changed(|scene| {
         let positions = &mut mesh(scene, "box").positions;

@@ -72,7 +72,7 @@ impl GraphBuilder<'_> {
     }
 }
 
-/// Where a camera or a lamp of a node stands and looks: a rotation and a translation. As glTF has
+/// Where a camera or an emitter of a node stands and looks: a rotation and a translation. As glTF has
 /// it, a scale of the node has no effect.
 pub(super) fn view(to_scene: Affine, node: usize) -> Result<Affine, MeshFileError> {
     let forward = direction(to_scene.vector(Vec3::new(0.0, 0.0, -1.0)));

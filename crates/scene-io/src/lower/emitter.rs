@@ -212,7 +212,7 @@ impl Lowering<'_> {
             None => None,
             Some(given) => {
                 let texture = self.slot(fields, &id, "texture", Quantity::Factor, 1.0)?;
-                self.note_picture(fields, &id, "texture");
+                self.note_projected_image(fields, &id, "texture");
                 if self.textures[texture.0 as usize].is_constant() {
                     let message = "the \"texture\" of a spot light is the same everywhere";
                     return Err(Problem::invalid(given.value_span, message).help(
@@ -244,7 +244,7 @@ impl Lowering<'_> {
             ..rotation(fields)?
         };
         let irradiance = self.slot(fields, &id, "irradiance", Quantity::Irradiance, 1.0)?;
-        self.note_picture(fields, &id, "irradiance");
+        self.note_projected_image(fields, &id, "irradiance");
         let size = match &self.textures[irradiance.0 as usize].pattern {
             Pattern::Bitmap(bitmap) => [bitmap.width, bitmap.height],
             // A square, as in Mitsuba.
@@ -264,7 +264,7 @@ impl Lowering<'_> {
     }
 
     /// Notes where the image is that an emitter projects.
-    fn note_picture(&mut self, fields: &Fields, emitter: &str, slot: &str) {
+    fn note_projected_image(&mut self, fields: &Fields, emitter: &str, slot: &str) {
         let name = format!("{emitter}.{slot}");
         self.places.numbers.insert(name, fields.span_of(slot));
     }

@@ -123,7 +123,7 @@ fn parallel_light() {
     }
 }
 
-/// A picture twice as wide as high has twice the field of view in its width.
+/// An image twice as wide as high has twice the field of view in its width.
 #[test]
 fn projectors() {
     let text = with(
@@ -143,7 +143,7 @@ fn projectors() {
         panic!("a projector");
     };
     let Pattern::Bitmap(bitmap) = &scene.texture(*irradiance).pattern else {
-        panic!("a picture");
+        panic!("an image");
     };
     assert!((height - 1.0).abs() < 1e-12);
     let aspect = f64::from(bitmap.width) / f64::from(bitmap.height);
@@ -220,7 +220,7 @@ fn wrong_properties() {
         ),
         &[
             "scene.xml:4:58: spot.cutoff_angle.value is (90, 90, 90); expected less than 90 degrees, \
-             because the light throws a picture",
+             because the light throws an image",
         ],
     );
     check(

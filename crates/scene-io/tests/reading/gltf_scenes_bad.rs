@@ -36,7 +36,7 @@ fn at(name: &str, pointer: &str, value: Value) -> String {
 fn what_has_no_equal_is_named() {
     let by_hand = "\n  show the mesh in a scene of Mitsuba's XML, by <shape type=\"gltf\">, with a \
                    material written there";
-    let elsewhere = "\n  export the file without it, or show its meshes in a scene of Mitsuba's XML, \
+    let without_it = "\n  export the file without it, or show its meshes in a scene of Mitsuba's XML, \
                      by <shape type=\"gltf\">";
     let material = |name: &str, extension: Value| at(name, "/materials/0/extensions", extension);
     for (message, expected) in [
@@ -63,7 +63,7 @@ fn what_has_no_equal_is_named() {
             at("sky", "/scenes/0/extensions", json!({"EXT_lights_image_based": {"light": 0}})),
             format!(
                 "room.glb: scenes[0].extensions: the extension \"EXT_lights_image_based\" is not \
-                 read{elsewhere}"
+                 read{without_it}"
             ),
         ),
         (
@@ -98,7 +98,7 @@ fn what_has_no_equal_is_named() {
             material("vendor", json!({"ABC_moss": {}})),
             format!(
                 "room.glb: materials[0].extensions.ABC_moss: the extension \"ABC_moss\" is not \
-                 read{elsewhere}"
+                 read{without_it}"
             ),
         ),
         (

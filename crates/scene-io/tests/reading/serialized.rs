@@ -451,7 +451,7 @@ fn write_cup() {
 }
 
 #[test]
-fn the_cup_of_the_parity_scene_is_the_one_written_here() {
+fn the_cup_of_the_parity_scene_is_the_one_of_these_tests() {
     let (kept, fresh) = (std::fs::read(PARITY), written(&cup_and_saucer(), 4));
     let kept = kept.expect("it is in the repository");
     for index in [0, 1] {

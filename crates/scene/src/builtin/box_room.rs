@@ -28,7 +28,7 @@ pub fn scene() -> Scene {
         let wall = stage::rectangle(centre, s, t);
         stage::add(&mut scene, id, wall, reflectance, Sides::Front);
     }
-    stage::add_lamp(&mut scene, v(0.41, 2.93, 1.27), 0.45, 26.0);
+    stage::add_emitter(&mut scene, v(0.41, 2.93, 1.27), 0.45, 26.0);
     let place = Affine::translate(v(0.07, 0.83, 0.11))
         * Affine::rotate(v(0.12, 1.0, 0.07), 0.47)
         * Affine::scale(v(0.52, 0.48, 0.45));

@@ -4,7 +4,7 @@
 //! The surface of a strut is cut along its outer and its inner ridge, which lie
 //! above and below the Voronoi edge; each half belongs to the cell on its side.
 //! So a cell's part is a ring around its hole: at every point of the cell's
-//! outline a half-ellipse goes from the outer ridge through the hole's rim to
+//! border a half-ellipse goes from the outer ridge through the hole's rim to
 //! the inner ridge, in the half-plane through the cell's axis and that point.
 //! Half-planes about one axis meet nowhere else, and cells are disjoint cones,
 //! so nothing can intersect; ridge vertices are shared, so nothing can gap.
@@ -40,13 +40,13 @@ pub fn mesh() -> Mesh {
     let mut mesh = Mesh::default();
     let mut ridges = Ridges::default();
     for (site, cell) in sites.iter().zip(&diagram.cells) {
-        let outline = ridges.outline(&diagram, cell, &mut mesh);
-        add_ring(*site, &diagram, cell, &outline, &mut mesh);
+        let border = ridges.border(&diagram, cell, &mut mesh);
+        add_ring(*site, &diagram, cell, &border, &mut mesh);
     }
     mesh
 }
 
-/// A point of a cell's outline: its direction and its two ridge vertices.
+/// A point of a cell's border: its direction and its two ridge vertices.
 #[derive(Clone, Copy)]
 struct RidgePoint {
     direction: Vec3,
@@ -64,8 +64,8 @@ struct Ridges {
 
 impl Ridges {
     /// The ridge points around a cell, counter-clockwise.
-    fn outline(&mut self, diagram: &Voronoi, cell: &[u32], mesh: &mut Mesh) -> Vec<RidgePoint> {
-        let mut outline = Vec::new();
+    fn border(&mut self, diagram: &Voronoi, cell: &[u32], mesh: &mut Mesh) -> Vec<RidgePoint> {
+        let mut border = Vec::new();
         for (i, &a) in cell.iter().enumerate() {
             let b = cell[(i + 1) % cell.len()];
             let mut points = self.edge(diagram, a.min(b), a.max(b), mesh);
@@ -73,9 +73,9 @@ impl Ridges {
                 points.reverse();
             }
             points.pop(); // the next edge begins with it
-            outline.append(&mut points);
+            border.append(&mut points);
         }
-        outline
+        border
     }
 
     fn edge(&mut self, diagram: &Voronoi, a: u32, b: u32, mesh: &mut Mesh) -> Vec<RidgePoint> {
@@ -120,7 +120,7 @@ fn push(mesh: &mut Mesh, position: Vec3) -> u32 {
 }
 
 /// Adds the ring of struts around one cell's hole.
-fn add_ring(site: Vec3, diagram: &Voronoi, cell: &[u32], outline: &[RidgePoint], mesh: &mut Mesh) {
+fn add_ring(site: Vec3, diagram: &Voronoi, cell: &[u32], border: &[RidgePoint], mesh: &mut Mesh) {
     // In the tangent plane at the site great circles are straight lines: the
     // cell is a convex polygon, its sides `normal · p = tan(distance)`.
     let frame = Frame::from_normal(site);
@@ -134,7 +134,7 @@ fn add_ring(site: Vec3, diagram: &Voronoi, cell: &[u32], outline: &[RidgePoint],
             (-inward.x * scale, -inward.y * scale)
         })
         .collect();
-    let arcs: Vec<Vec<u32>> = outline
+    let arcs: Vec<Vec<u32>> = border
         .iter()
         .map(|point| {
             let local = frame.to_local(point.direction);

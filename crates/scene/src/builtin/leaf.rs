@@ -12,7 +12,7 @@ use crate::shape::ShadingNormals;
 pub fn scene() -> Scene {
     let mut scene = stage::empty(Vec3::new(0.5, 1.25, 2.6), Vec3::new(0.03, 0.0, 0.12), 46.0);
     stage::add_floor(&mut scene, 12.0, Rgb::new(0.7, 0.68, 0.64));
-    stage::add_lamp(&mut scene, Vec3::new(0.07, 4.0, -0.04), 0.35, 70.0);
+    stage::add_emitter(&mut scene, Vec3::new(0.07, 4.0, -0.04), 0.35, 70.0);
     let leaf = Mesh {
         positions: vec![
             Vec3::new(-0.47, 1.53, -0.31),

@@ -99,13 +99,13 @@ pub fn add_floor(scene: &mut Scene, half_width: f64, reflectance: Rgb) {
 }
 
 /// Adds a square that emits downwards the same radiance in all channels.
-pub fn add_lamp(scene: &mut Scene, centre: Vec3, half_width: f64, radiance: f64) {
+pub fn add_emitter(scene: &mut Scene, centre: Vec3, half_width: f64, radiance: f64) {
     let (x, z) = (
         Vec3::new(half_width, 0.0, 0.0),
         Vec3::new(0.0, 0.0, half_width),
     );
-    let lamp = rectangle(centre, x, z);
-    let shape = add(scene, "lamp", lamp, Rgb::splat(0.5), Sides::Front);
+    let emitter = rectangle(centre, x, z);
+    let shape = add(scene, "lamp", emitter, Rgb::splat(0.5), Sides::Front);
     let emitter = EmitterId(scene.emitters.len() as u32);
     scene.shape_mut(shape).emitter = Some(emitter);
     let texture = Texture::colour("lamp.emitter.radiance", Rgb::splat(radiance));

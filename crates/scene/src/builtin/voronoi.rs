@@ -77,11 +77,11 @@ pub fn voronoi(sites: &[Vec3]) -> Voronoi {
             let face = left[&(site, a)];
             cell.push(face);
             let f = faces[face as usize];
-            let here = f
+            let corner = f
                 .iter()
                 .position(|&v| v == site)
                 .expect("a face of the site");
-            a = f[(here + 2) % 3];
+            a = f[(corner + 2) % 3];
             if a == start {
                 return cell;
             }

@@ -129,7 +129,7 @@ fn from_projector<R: Real>(
     if depth.value() <= 0.0 {
         return None;
     }
-    // Pictures begin at the top left, where x and y are largest.
+    // Images begin at the top left, where x and y are largest.
     let place = |x: R, half: f64| R::constant(0.5) - x / depth * R::constant(0.5 / half);
     let uv = [place(x, half_size[0]), place(y, half_size[1])];
     if uv.iter().any(|x| !(0.0..=1.0).contains(&x.value())) {
@@ -208,7 +208,7 @@ mod tests {
     /// The top left corner of an image is in the direction of `+x` and `+y`; a plane across
     /// the axis receives as much everywhere, π at distance 1; outside it is dark.
     #[test]
-    fn projectors_throw_their_picture_upright() {
+    fn projectors_throw_their_image_upright() {
         let Emitter::Projector {
             world_from_emitter, ..
         } = projector()
@@ -217,8 +217,8 @@ mod tests {
         };
         let at = |local: Vec3| light_at(&projector(), world_from_emitter.point(local));
         for (x, y, uv) in [(0.4, 0.25, [0.25, 0.25]), (-0.64, -0.1, [0.9, 0.6])] {
-            let light = at(Vec3::new(x, y, 1.0) * 2.0).expect("in the picture");
-            let found = light.uv.expect("a picture");
+            let light = at(Vec3::new(x, y, 1.0) * 2.0).expect("in the image");
+            let found = light.uv.expect("an image");
             assert!(
                 (0..2).all(|i| (found[i] - uv[i]).abs() < 1e-12),
                 "{found:?}"
@@ -248,7 +248,7 @@ mod tests {
             assert!((light.factor - expected / 4.0).abs() < 1e-12, "{angle}");
             assert!((light.distance - 2.0).abs() < 1e-12);
             // The border of the cone is at the border of the image.
-            let [u, v] = light.uv.expect("a picture");
+            let [u, v] = light.uv.expect("an image");
             let expected = 0.5 + 0.5 * angle.tan() / f64::to_radians(30.0).tan();
             assert!((u - 0.5).abs() < 1e-12 && (v - expected).abs() < 1e-12);
         }

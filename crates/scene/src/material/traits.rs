@@ -115,8 +115,8 @@ impl Bsdf {
         }
     }
 
-    /// The one material whose look it has on all sides that it shows, if it is
-    /// made of one.
+    /// The one material that shades all of its visible sides, if it is made of
+    /// one.
     pub fn shown_part(&self) -> Option<BsdfId> {
         match self.traits().composition {
             Composition::Sides { front, back } => (front == back).then_some(front),

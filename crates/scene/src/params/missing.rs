@@ -40,8 +40,8 @@ fn placement(scene: &Scene, emitter: &Emitter, name: &str) -> Option<String> {
              its texels, is a parameter; {other_scene}"
         )),
         Emitter::Projector { .. } => Some(format!(
-            "derivatives with respect to where a projector stands, and where its picture falls, are not \
-             implemented. `{id}.scale` and the numbers of its picture are parameters; {other_scene}"
+            "derivatives with respect to where a projector stands, and where its image falls, are not \
+             implemented. `{id}.scale` and the numbers of its image are parameters; {other_scene}"
         )),
         Emitter::Point { .. } => Some(format!(
             "a point light has a place alone: `{id}.translate.x` (y, z) move it, and \

@@ -28,7 +28,7 @@ fn request(scene: &Scene, text: &str) -> Result<Request, ParameterError> {
     Registry::new(scene).request(scene, text)
 }
 
-/// A ball, a lamp, and a sheet whose id holds all that could confuse a parser.
+/// A ball, an emitter, and a sheet whose id holds all that could confuse a parser.
 pub(super) fn example() -> Scene {
     let place = Affine::translate(Vec3::new(0.4, 1.0, -0.3))
         * Affine::rotate(Vec3::new(1.0, 2.0, 0.5), 0.4)
@@ -37,7 +37,7 @@ pub(super) fn example() -> Scene {
     let given = ball.positions.iter().map(|&n| place.normal(n).normalized());
     let given = given.collect();
     ball.positions.iter_mut().for_each(|p| *p = place.point(*p));
-    let (lamp, _) = primitive::rectangle(Affine::translate(Vec3::new(0.0, 3.0, 0.1)));
+    let (emitter, _) = primitive::rectangle(Affine::translate(Vec3::new(0.0, 3.0, 0.1)));
     let (sheet, _) = primitive::disk(place);
     let shape = |id: &str, mesh, normals, bsdf, emitter| Shape {
         emitter,
@@ -63,7 +63,7 @@ pub(super) fn example() -> Scene {
                 world_from_object: place,
                 ..shape("ball", ball, ShadingNormals::Given(given), 2, None)
             },
-            shape("lamp", lamp, ShadingNormals::Face, 1, Some(EmitterId(0))),
+            shape("lamp", emitter, ShadingNormals::Face, 1, Some(EmitterId(0))),
             shape("-a.b+2*c", sheet, computed, 3, None),
         ]
         .map(Arc::new)
@@ -260,9 +260,10 @@ fn terms_add_with_signs_and_factors() {
     let one = |name: &str| tangent(&scene, name).expect(name);
     let sum = one(" ball.translate.x+ -0.5 * lamp.translate.y - 2*sensor.rotate.z ");
     assert_eq!(sum.shapes[0], one("ball.translate.x").shapes[0]);
-    let lamp = sum.shapes[1].as_ref().expect("moves");
+    let emitter = sum.shapes[1].as_ref().expect("moves");
     assert!(
-        lamp.vertices
+        emitter
+            .vertices
             .iter()
             .all(|&v| v == Vec3::new(0.0, -0.5, 0.0))
     );
@@ -446,7 +447,7 @@ fn vertices_move_unless_the_mesh_would_tear() {
     assert!(vertex_tangent(&scene, "ball", together).is_ok());
 }
 
-/// A texture that two materials and a lamp refer to is one parameter, called
+/// A texture that two materials and an emitter refer to is one parameter, called
 /// by its own name first.
 #[test]
 fn a_shared_texture_is_one_parameter() {

@@ -148,7 +148,7 @@ fn spline_ring(points: &[ControlPoint], t: f64, segment: usize) -> Option<Ring> 
     /// Where control points coincide the curve may stop at an end of a segment; its
     /// direction is that of a place this far inside.
     const ASIDE: f64 = 1e-3;
-    let here = spline_point(points, t);
+    let point = spline_point(points, t);
     let spread = points
         .iter()
         .map(|p| (p.position - points[0].position).length());
@@ -157,11 +157,11 @@ fn spline_ring(points: &[ControlPoint], t: f64, segment: usize) -> Option<Ring> 
     let smallest = 1e-9 * spread.fold(0.0, f64::max) + rounding;
     let is_moving = |at: &SplinePoint| at.velocity.length() > smallest;
     let aside = spline_point(points, t + if t < 0.5 { ASIDE } else { -ASIDE });
-    let guide = [&here, &aside].into_iter().find(|&at| is_moving(at))?;
+    let guide = [&point, &aside].into_iter().find(|&at| is_moving(at))?;
     let speed = guide.velocity.length();
     Some(Ring {
-        centre: here.position,
-        radius: here.radius,
+        centre: point.position,
+        radius: point.radius,
         axis: guide.velocity / speed,
         bend: guide.acceleration * (guide.radius / (speed * speed)),
         tilt: -guide.radius_velocity / speed,

@@ -11,7 +11,7 @@ use crate::shape::ShadingNormals;
 /// The largest distance between the silhouette of a tessellated disk, cylinder or
 /// sphere and the true one, in radii: a tenth of a pixel for a disk that fills an
 /// image of 2000 pixels.
-pub const OUTLINE_ERROR: f64 = 1e-4;
+pub const SILHOUETTE_ERROR: f64 = 1e-4;
 
 /// Straight segments around a disk or a cylinder. A regular n-gon is off by `1 - cos(π/n)`;
 /// a multiple of four reaches the extreme points along the axes.
@@ -23,7 +23,7 @@ pub const DISK_TRIANGLES: u32 = ROUND_SEGMENTS;
 /// Triangles of a cylinder.
 pub const CYLINDER_TRIANGLES: u32 = 2 * ROUND_SEGMENTS;
 
-/// Subdivision of each icosahedron edge for a sphere, as fine as [`OUTLINE_ERROR`] asks for.
+/// Subdivision of each icosahedron edge for a sphere, as fine as [`SILHOUETTE_ERROR`] asks for.
 pub const SPHERE_DIVISION: u32 = 55;
 
 /// The largest distance between the silhouette of a sphere of this division and the true one, in
@@ -218,7 +218,7 @@ mod tests {
         for (shape, area) in [(rectangle as fn(Affine) -> _, 4.0), (disk, PI)] {
             let (mesh, normals): (Mesh, _) = shape(Affine::IDENTITY);
             assert_eq!(normals, ShadingNormals::Face);
-            assert!((mesh.area() / area - 1.0).abs() < 2.0 * OUTLINE_ERROR);
+            assert!((mesh.area() / area - 1.0).abs() < 2.0 * SILHOUETTE_ERROR);
             for world_from_object in [stretch(), mirrored()] {
                 let (mesh, _) = shape(world_from_object);
                 let normal = world_from_object.normal(Vec3::new(0.0, 0.0, 1.0));
@@ -233,11 +233,11 @@ mod tests {
 
     /// The worst point of a regular polygon is the middle of a side.
     #[test]
-    fn disk_outline_is_within_its_error() {
+    fn disk_silhouette_is_within_its_error() {
         let (mesh, _) = disk(Affine::IDENTITY);
         for &[_, a, b] in &mesh.faces {
             let [a, b] = [a, b].map(|i| mesh.positions[i as usize]);
-            assert!(1.0 - ((a + b) * 0.5).length() < OUTLINE_ERROR);
+            assert!(1.0 - ((a + b) * 0.5).length() < SILHOUETTE_ERROR);
             assert!((a.length() - 1.0).abs() < 1e-15);
         }
     }
@@ -247,7 +247,7 @@ mod tests {
     #[test]
     fn cylinder_is_open_and_outward() {
         let (mesh, _) = cylinder(Affine::IDENTITY);
-        assert!((mesh.area() / (2.0 * PI) - 1.0).abs() < OUTLINE_ERROR);
+        assert!((mesh.area() / (2.0 * PI) - 1.0).abs() < SILHOUETTE_ERROR);
         assert_eq!(mesh.bounds().0, Vec3::new(-1.0, -1.0, 0.0));
         assert_eq!(mesh.bounds().1, Vec3::new(1.0, 1.0, 1.0));
         let edges = edges(&mesh);
@@ -287,7 +287,7 @@ mod tests {
             let (mesh, normals) = sphere(world_from_object, centre, radius);
             assert_eq!(euler_characteristic_of_closed(&mesh), 2);
             let true_volume = 4.0 / 3.0 * PI * radius.powi(3) * world_from_object.determinant();
-            assert!((volume(&mesh) / true_volume - 1.0).abs() < 3.0 * OUTLINE_ERROR);
+            assert!((volume(&mesh) / true_volume - 1.0).abs() < 3.0 * SILHOUETTE_ERROR);
             let (low, high) = mesh.bounds();
             let middle = world_from_object.point(centre);
             assert!(((low + high) * 0.5 - middle).length() < 1e-13);
@@ -303,13 +303,13 @@ mod tests {
             }
         }
         let (mesh, _) = sphere(Affine::IDENTITY, centre, radius);
-        assert!((mesh.area() / (4.0 * PI * radius * radius) - 1.0).abs() < 2.0 * OUTLINE_ERROR);
+        assert!((mesh.area() / (4.0 * PI * radius * radius) - 1.0).abs() < 2.0 * SILHOUETTE_ERROR);
     }
 
     /// Seen from anywhere, the silhouette lies between the sphere and the sphere
     /// inscribed in the mesh: its error is at most the largest face depth.
     #[test]
-    fn sphere_outline_is_within_its_error() {
+    fn sphere_silhouette_is_within_its_error() {
         let radius = 2.5;
         let (mesh, _) = sphere(Affine::IDENTITY, Vec3::zero(), radius);
         let depth = |face| {
@@ -317,7 +317,10 @@ mod tests {
             1.0 - normal.dot(mesh.corners(face)[0]) / radius
         };
         let worst = (0..mesh.faces.len()).map(depth).fold(0.0, f64::max);
-        assert!(worst < OUTLINE_ERROR, "{worst:e}");
-        assert!(worst > 0.9 * OUTLINE_ERROR, "finer than needed: {worst:e}");
+        assert!(worst < SILHOUETTE_ERROR, "{worst:e}");
+        assert!(
+            worst > 0.9 * SILHOUETTE_ERROR,
+            "finer than needed: {worst:e}"
+        );
     }
 }

@@ -10,13 +10,13 @@ use std::f64::consts::PI;
 use capwalk_geometry::Mesh;
 use capwalk_math::{Frame, Vec3};
 
-use super::OUTLINE_ERROR;
+use super::SILHOUETTE_ERROR;
 use super::rings::{ControlPoint, CurveKind, Ring, linear_rings, spline_rings};
 use super::uv::{FaceUvs, unwrapped};
 use crate::shape::ShadingNormals;
 
 /// The largest and the smallest distance between a tube and the true one, in radii.
-/// Between them it is [`OUTLINE_ERROR`] of the size of all curves together, so that hairs
+/// Between them it is [`SILHOUETTE_ERROR`] of the size of all curves together, so that hairs
 /// have few triangles.
 const TUBE_ERROR: [f64; 2] = [1e-4, 1e-2];
 
@@ -83,7 +83,7 @@ fn relative_error(curves: &[Vec<ControlPoint>]) -> f64 {
     let thickest = points().map(|point| point.radius).fold(0.0, f64::max);
     let size = (high - low).length();
     match thickest > 0.0 {
-        true => (OUTLINE_ERROR * size / thickest).clamp(TUBE_ERROR[0], TUBE_ERROR[1]),
+        true => (SILHOUETTE_ERROR * size / thickest).clamp(TUBE_ERROR[0], TUBE_ERROR[1]),
         false => TUBE_ERROR[1],
     }
 }

@@ -108,12 +108,12 @@ impl Bitmap {
         let sizes = [self.width, self.height];
         let [x, y] = [(u, self.width), (v, self.height)].map(|(x, n)| spline(x, n));
         let [mut along_x, mut along_y] = [Rgb::zero(); 2];
-        for (row, (weight_y, slope_y)) in (y.first..).zip(y.weights) {
+        for (row, (weight_y, derivative_y)) in (y.first..).zip(y.weights) {
             let row = self.wrap.apply(row, self.height) * self.width as usize;
-            for (column, (weight_x, slope_x)) in (x.first..).zip(x.weights) {
+            for (column, (weight_x, derivative_x)) in (x.first..).zip(x.weights) {
                 let value = texel(row + self.wrap.apply(column, self.width));
-                along_x += value * (slope_x * weight_y);
-                along_y += value * (weight_x * slope_y);
+                along_x += value * (derivative_x * weight_y);
+                along_y += value * (weight_x * derivative_y);
             }
         }
         let [width, height] = sizes.map(|n| R::constant(f64::from(n)));

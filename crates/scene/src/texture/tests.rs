@@ -319,11 +319,11 @@ fn shapes_must_have_what_textures_ask_for() {
     assert!(message.ends_with("at least 0"), "{message}");
 }
 
-/// Slopes are those of one smooth function: `∂/∂v` of that by `u` is `∂/∂u` of
-/// that by `v`, through a transform of coordinates and at borders; they do not
-/// jump at the centres of texels, and are linear in texels.
+/// Derivatives are those of one smooth function: `∂/∂v` of that by `u` is `∂/∂u` of
+/// that by `v`, through a transform of coordinates and at borders; they are
+/// continuous at the centres of texels, and linear in texels.
 #[test]
-fn slopes_of_bitmaps() {
+fn derivatives_of_bitmaps() {
     for wrap in [Wrap::Repeat, Wrap::Mirror, Wrap::Clamp] {
         let Pattern::Bitmap(mut bitmap) = bitmap(TexelFilter::Bilinear, wrap).pattern else {
             panic!("a bitmap");
@@ -344,15 +344,15 @@ fn slopes_of_bitmaps() {
         for step in 0..40 {
             let u = 0.1 * f64::from(step) - 1.0;
             let [before, behind] = [-1e-9, 1e-9].map(|d| at([u + d, 0.7 * u])[0]);
-            assert!((before - behind).length() < 1e-6, "jumps at {u}");
+            assert!((before - behind).length() < 1e-6, "discontinuous at {u}");
         }
     }
 }
 
-/// A ramp has the same slope everywhere, that of the function that its texels
+/// A ramp has the same derivative everywhere, that of the function that its texels
 /// follow.
 #[test]
-fn slope_of_a_ramp() {
+fn derivative_of_a_ramp() {
     let bitmap = Bitmap {
         width: 8,
         height: 5,

@@ -22,7 +22,7 @@ fn samples_are_distributed_like_their_density() {
         for (place, wi) in table::views(&lobe).into_iter().enumerate() {
             let bsdf = LocalBsdf::from(lobe.clone());
             let seed = 1000 + place as u64;
-            // Where the density jumps inside bins, the coarse integrals are not
+            // Where the density is discontinuous inside bins, the coarse integrals are not
             // good enough; the fine ones take long.
             let p = p_value(&bsdf, wi, seed, 2);
             let p = if p > FALSE_ALARM {

@@ -128,21 +128,21 @@ fn specular_has_right_derivatives() {
 fn weights_have_derivatives() {
     let (wi, wo) = (direction(0.6, 1.0), direction(0.8, 3.0));
     let mut bsdf = LocalBsdf::<Dual<1>>::default();
-    let mut at_rest = LocalBsdf::default();
+    let mut primal = LocalBsdf::default();
     for (place, (_, lobe)) in table::smooth().into_iter().take(2).enumerate() {
         let weight = [0.3, 0.7][place];
         bsdf.push(
             Dual::new(weight, [[1.0, -1.0][place]]),
             lobe.map(&mut Dual::constant),
         );
-        at_rest.push(weight, lobe);
+        primal.push(weight, lobe);
     }
-    assert_eq!(bsdf.value(), at_rest);
+    assert_eq!(bsdf.value(), primal);
     let value = bsdf.eval(wi.map(Dual::constant), wo.map(Dual::constant));
-    let lobes: Vec<&Lobe> = at_rest.lobes().map(|(_, lobe)| lobe).collect();
+    let lobes: Vec<&Lobe> = primal.lobes().map(|(_, lobe)| lobe).collect();
     let difference = lobes[0].eval(wi, wo) - lobes[1].eval(wi, wo);
     assert!((value.tangent(0) - difference).length() < 1e-14);
-    assert!((value.value() - at_rest.eval(wi, wo)).length() < 1e-14);
+    assert!((value.value() - primal.eval(wi, wo)).length() < 1e-14);
 }
 
 /// A lobe of weight zero is drawn if it is to be explored, and only then; the
@@ -167,8 +167,8 @@ fn lobes_of_weight_zero_are_explored() {
     }
 }
 
-/// Nothing jumps: the derivative of all that is reflected or transmitted is the
-/// integral of derivatives. A jump along a curve that moves would be missing.
+/// Nothing is discontinuous: the derivative of all that is reflected or transmitted is the
+/// integral of derivatives. A discontinuity along a curve that moves would be missing.
 /// Seen from the thinner side; from the denser one the derivative is unbounded
 /// where total reflection begins, which these sums do not resolve.
 #[test]

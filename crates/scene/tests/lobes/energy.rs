@@ -187,14 +187,14 @@ fn paths_can_be_walked_both_ways() {
             if matches!(lobe, Lobe::PrincipledThin(_)) && wi.z * wo.z < 0.0 {
                 continue;
             }
-            let there = lobe.eval(wi, wo) * (flux_scale(&lobe, wi, wo) / wo.z.abs());
+            let forth = lobe.eval(wi, wo) * (flux_scale(&lobe, wi, wo) / wo.z.abs());
             let back = lobe.eval(wo, wi) * (1.0 / wi.z.abs());
-            let error = (there - back).length();
+            let error = (forth - back).length();
             assert!(
-                error <= 1e-9 * there.length(),
+                error <= 1e-9 * forth.length(),
                 "{name}, {wi:?}, {wo:?}: {error}"
             );
-            count += usize::from(there.length() > 0.0);
+            count += usize::from(forth.length() > 0.0);
         }
     }
     assert!(count > 500, "only {count} pairs of directions scatter");

@@ -6,7 +6,7 @@ use capwalk_scene::lobe::*;
 use crate::table;
 use crate::tools::direction;
 
-/// Opaque lobes do not jump where `wi` passes the horizon.
+/// Opaque lobes are continuous where `wi` passes the horizon.
 #[test]
 fn one_sided_lobes_are_continuous_across_the_horizon() {
     for (name, lobe) in table::smooth() {

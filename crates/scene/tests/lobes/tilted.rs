@@ -73,11 +73,11 @@ fn tilted_lobes_draw_by_their_density() {
     }
 }
 
-/// A sharp look at where the rules of both normals cut light off: nothing jumps,
+/// Where the rules of both normals cut light off, nothing is discontinuous,
 /// neither where the viewer passes the plane of the tilted normal, nor where the
 /// light passes that or the surface.
 #[test]
-fn nothing_jumps() {
+fn cut_off_light_is_continuous() {
     const STEP: f64 = 1e-9;
     let n = NORMAL.normalized();
     for (name, lobe) in table::smooth() {
@@ -96,11 +96,11 @@ fn nothing_jumps() {
             let in_plane = along.reject_from(normal).normalized();
             let [above, below] = [STEP, -STEP].map(|by| (in_plane + normal * by).normalized());
             if normal == n && in_plane.z > 0.1 {
-                let jump = bsdf.eval(above, fixed) - bsdf.eval(below, fixed);
-                assert!(jump.length() < 1e-5, "{name}: {jump:?} by the viewer");
+                let change = bsdf.eval(above, fixed) - bsdf.eval(below, fixed);
+                assert!(change.length() < 1e-5, "{name}: {change:?} by the viewer");
             }
-            let jump = bsdf.eval(fixed, above) - bsdf.eval(fixed, below);
-            assert!(jump.length() < 1e-5, "{name}: {jump:?} by the light");
+            let change = bsdf.eval(fixed, above) - bsdf.eval(fixed, below);
+            assert!(change.length() < 1e-5, "{name}: {change:?} by the light");
         }
     }
 }

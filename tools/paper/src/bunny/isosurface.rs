@@ -179,13 +179,13 @@ pub fn relax(mesh: &mut Mesh, function: &dyn Fn(Vec3) -> f64, rounds: usize, ste
 pub fn to_surface(mut p: Vec3, function: &dyn Fn(Vec3) -> f64, step: f64) -> Vec3 {
     for _ in 0..2 {
         let value = function(p);
-        let slope = gradient(p, function, step);
-        let square = slope.length_squared();
+        let gradient = gradient(p, function, step);
+        let square = gradient.length_squared();
         if square < 1e-12 {
             return p;
         }
-        // No farther than a step: slopes jump where tubes meet.
-        let shift = slope * (value / square);
+        // No farther than a step: gradients are discontinuous where tubes meet.
+        let shift = gradient * (value / square);
         let length = shift.length();
         p = p - shift * (step / length.max(step));
     }

@@ -97,7 +97,7 @@ impl CustomField for AmongExplicit {
         let mut flow = receiver.material();
         for term in sample.terms() {
             let Some(index) = term.site.curve.checked_sub(border.len()) else {
-                continue; // on the border, at rest
+                continue; // on the border, which does not move
             };
             let shadow = &shadows[index];
             let ends = boundaries.ends(shadow.edge);

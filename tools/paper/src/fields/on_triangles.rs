@@ -3,8 +3,8 @@
 //!
 //! Its boundaries are the silhouettes before the triangle's plane and the
 //! triangle's own border, where the material's coordinates end and the field is
-//! zero. Nothing else is needed: where shading jumps between two triangles, both
-//! borders are at rest in the material. The walk starts with the cone that the
+//! zero. Nothing else is needed: where shading is discontinuous between two triangles, both
+//! borders do not move in the material. The walk starts with the cone that the
 //! triangle is seen under, and stays on the part of it that is seen.
 //!
 //! Directions that meet nothing have no triangle. There the field is that of the
@@ -101,7 +101,7 @@ fn triangle<'a>(
     let is_camera = viewpoint.visibility == Visibility::Camera;
     // Nothing hides what bounds the visible part of a triangle, but the camera
     // sees no edge before its near plane. One that passes it counts as a whole:
-    // if its closest point decided, the field would jump where that passes.
+    // if its closest point decided, the field would be discontinuous there.
     let view = accel.view.from(position);
     let [near, far] = view.clip();
     let is_seen = move |site: &SilhouettePoint| {

@@ -5,10 +5,10 @@
 //! Auxiliary points `z` are drawn on the triangle's plane around the hit point `p`,
 //! and rays from the viewpoint are sent there. What such a ray meets before the plane
 //! prescribes the velocity of its projection, with its place on its own triangle
-//! fixed; where nothing is before it the material is at rest.
+//! fixed; where nothing is before it the material does not move.
 //!
 //! Of Xu et al. are the integral over the surface (Eq. 7), the material form with
-//! borders of triangles at rest, and the form of the weights (Eq. 8). Chosen here,
+//! stationary borders of triangles, and the form of the weights (Eq. 8). Chosen here,
 //! as in warped-area sampling among directions, are
 //!
 //! ```text
@@ -79,7 +79,7 @@ pub(super) fn flow(
     let mut flow = receiver.material();
     for (ray, share) in rays.iter().zip(&shares) {
         let Some((hit, seen)) = &ray.before else {
-            continue; // the material, at rest
+            continue; // the material, which does not move
         };
         let corners = accel.mesh.faces[hit.face as usize];
         let weights = was::corner_weights(hit);
@@ -134,9 +134,9 @@ fn distance(receiver: &Receiver, offset: Vec3, kappa: f64) -> (f64, Vec3) {
     let r = receiver.distance;
     let scaled = kappa * offset.length_squared() / (2.0 * r * r);
     let distance = scaled.exp_m1();
-    let r_slope = receiver.direction.reject_from(receiver.normal());
-    let slope = offset * (-kappa / (r * r)) - r_slope * (2.0 * scaled / r);
-    (distance, slope * (distance + 1.0))
+    let r_gradient = receiver.direction.reject_from(receiver.normal());
+    let gradient = offset * (-kappa / (r * r)) - r_gradient * (2.0 * scaled / r);
+    (distance, gradient * (distance + 1.0))
 }
 
 #[cfg(test)]
@@ -167,7 +167,7 @@ mod tests {
         let receiver = at(point);
         let frame = Frame::from_normal(receiver.normal());
         let auxiliary = point + frame.s * 0.3 - frame.t * 0.2;
-        let (_, slope) = distance(&receiver, auxiliary - point, 20.0);
+        let (_, gradient) = distance(&receiver, auxiliary - point, 20.0);
         for d in [frame.s, frame.t] {
             let h = 1e-6;
             let moved = |h: f64| {
@@ -175,9 +175,12 @@ mod tests {
                 distance(&at(point), auxiliary - point, 20.0).0
             };
             let numeric = (moved(h) - moved(-h)) / (2.0 * h);
-            assert!((slope.dot(d) - numeric).abs() < 1e-7, "{slope:?} {numeric}");
+            assert!(
+                (gradient.dot(d) - numeric).abs() < 1e-7,
+                "{gradient:?} {numeric}"
+            );
             assert!(numeric.abs() > 0.1, "nothing to compare");
         }
-        assert!(slope.dot(receiver.normal()).abs() < 1e-12);
+        assert!(gradient.dot(receiver.normal()).abs() < 1e-12);
     }
 }

@@ -160,18 +160,18 @@ impl Receiver {
     }
 
     /// The covector on a velocity in `∇·v = Σ_{d ∈ {s,t}} d·∂_d̂ u` (Algorithm 7,
-    /// Eq. 38), for the slope of its weight on the sphere of directions.
-    pub fn divergence(&self, slope: Vec3) -> Vec3 {
+    /// Eq. 38), for the gradient of its weight on the sphere of directions.
+    pub fn divergence(&self, gradient: Vec3) -> Vec3 {
         let Frame { s, t, .. } = Frame::from_normal(self.cross.normalized());
-        [s, t]
-            .into_iter()
-            .fold(Vec3::zero(), |sum, d| sum + d * slope.dot(self.project(d)))
+        [s, t].into_iter().fold(Vec3::zero(), |sum, d| {
+            sum + d * gradient.dot(self.project(d))
+        })
     }
 
     /// How the direction moves with the material alone.
     pub fn material(&self) -> Flow {
         let mut flow = Flow::default();
-        let w = self.stretch_covector();
+        let w = self.divergence_covector();
         let offset = self.direction * self.distance;
         let weights = self.weights(self.viewpoint + offset);
         let scale = 1.0 / self.cross.dot(offset);
@@ -192,7 +192,7 @@ impl Receiver {
     /// Adds to a flow a velocity relative to the material that has a weight in the
     /// field, and a covector on it in the field's divergence `∇·v`.
     pub fn add(&self, flow: &mut Flow, velocity: &PlaneVelocity, weight: f64, divergence: Vec3) {
-        let covector = divergence + self.stretch_covector() * weight;
+        let covector = divergence + self.divergence_covector() * weight;
         for &(source, velocity) in velocity {
             flow.add(
                 source,
@@ -204,7 +204,7 @@ impl Receiver {
 
     /// The covector on `w`, the hit point's velocity relative to the viewpoint, in the
     /// divergence of the direction's field.
-    fn stretch_covector(&self) -> Vec3 {
+    fn divergence_covector(&self) -> Vec3 {
         let r = self.distance;
         self.cross / (self.cross.dot(self.direction) * r) - self.direction * (3.0 / r)
     }
@@ -271,7 +271,7 @@ mod tests {
     /// What a flow calls the divergence is that of the field of directions, with
     /// only material moving and with a field on the triangle besides.
     #[test]
-    fn stretch_is_the_divergence_of_the_directions() {
+    fn divergence_is_that_of_the_directions() {
         let example = Example::new();
         // An affine field on the plane: v(p) = Π (k + l (m·p)), as a map from the
         // second corner's velocity, which only serves as a vector here.

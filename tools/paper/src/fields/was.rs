@@ -13,7 +13,7 @@
 //! biased, and consistent as their number grows. Constants and sampling are
 //! those of the authors' implementation in Falcor (WARDiffPathTracer) but for
 //! what misses, where `B` is one as in Mitsuba 3.4: with zero, silhouettes before
-//! the sky would stay at rest. Their clamps for single precision are left out:
+//! the sky would not move. Their clamps for single precision are left out:
 //! they are biased for any number of rays.
 
 use std::f64::consts::PI;
@@ -149,8 +149,8 @@ fn distance(q: Vec3, z: Vec3, kappa: f64) -> f64 {
 /// tangent plane.
 fn weight(ray: &Auxiliary, q: Vec3, kappa: f64) -> (f64, Vec3) {
     let distance = distance(q, ray.direction, kappa);
-    let slope = ray.direction.reject_from(q) * (-kappa * (distance + 1.0));
-    weighted_mean::weight(ray.inverse_density, (distance, slope), ray.boundary)
+    let gradient = ray.direction.reject_from(q) * (-kappa * (distance + 1.0));
+    weighted_mean::weight(ray.inverse_density, (distance, gradient), ray.boundary)
 }
 
 /// The same as a map from the velocities of vertices: a hit keeps its place on the

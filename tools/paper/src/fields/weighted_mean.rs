@@ -124,13 +124,13 @@ pub fn relative_density(u: f64) -> f64 {
 /// Neither the density is differentiated nor `B`, which does not depend on `p`.
 pub fn weight(
     inverse_density: f64,
-    (distance, distance_slope): (f64, Vec3),
+    (distance, distance_gradient): (f64, Vec3),
     boundary: f64,
 ) -> (f64, Vec3) {
     let denominator = (distance + boundary).max(LEAST_DENOMINATOR);
     let weight = inverse_density / denominator.powi(EXPONENT);
-    let slope = -f64::from(EXPONENT) * weight / denominator;
-    (weight, distance_slope * slope)
+    let derivative = -f64::from(EXPONENT) * weight / denominator;
+    (weight, distance_gradient * derivative)
 }
 
 /// Adds `factor` times the ratio estimate of Eq. (7). With `W = Σ w_i` the divergence
@@ -141,12 +141,12 @@ pub fn weight(
 /// ```
 pub fn add_ratio(weights: &[(f64, Vec3)], curvature: Vec3, factor: f64, shares: &mut [Share]) {
     let start = (0.0, Vec3::zero());
-    let (sum, slope_sum) = weights.iter().fold(start, |a, b| (a.0 + b.0, a.1 + b.1));
-    let mean_slope = slope_sum / sum;
-    for (&(weight, slope), share) in weights.iter().zip(shares) {
+    let (sum, gradient_sum) = weights.iter().fold(start, |a, b| (a.0 + b.0, a.1 + b.1));
+    let mean_gradient = gradient_sum / sum;
+    for (&(weight, gradient), share) in weights.iter().zip(shares) {
         let part = weight / sum * factor;
         share.weight += part;
-        share.divergence += slope * (factor / sum) + (curvature - mean_slope) * part;
+        share.divergence += gradient * (factor / sum) + (curvature - mean_gradient) * part;
     }
 }
 

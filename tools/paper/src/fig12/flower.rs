@@ -10,14 +10,14 @@ use crate::settings::Failure;
 
 /// Vertices of the rim; each has two unknowns.
 pub const RIM: usize = 25;
-/// Radius of the disk, and how far the flower's outline is from it.
+/// Radius of the disk, and how far the flower's contour is from it.
 const RADIUS: f64 = 0.45;
 const PETALS: f64 = 0.13;
 
 /// The middle of the disk.
 const CENTRE: Vec3 = Vec3::new(0.02, 1.6, 0.03);
 
-/// The outline at a vertex: a disk, or a flower with five petals.
+/// The contour at a vertex: a disk, or a flower with five petals.
 fn radius(vertex: usize, flower: bool) -> f64 {
     let angle = TAU * vertex as f64 / RIM as f64;
     match flower {
@@ -47,19 +47,19 @@ pub fn scene(flower: bool, size: [u32; 2]) -> Result<Scene, Failure> {
     Ok(scene)
 }
 
-/// Points along each axis at which outlines are compared.
+/// Points along each axis at which contours are compared.
 const RASTER: usize = 512;
 
-/// The area that only one of two outlines encloses, of the found shape and the
+/// The area that only one of two contours encloses, of the found shape and the
 /// flower, over the same for the disk and the flower. Vertices that slide along
-/// the outline leave the shape as it is.
+/// the contour leave the shape as it is.
 pub fn shape_error(found: &Scene, size: [u32; 2]) -> Result<f64, Failure> {
     let flower = rim(&scene(true, size)?);
-    let apart = |outline: &[[f64; 2]]| {
+    let apart = |contour: &[[f64; 2]]| {
         let side = |i: usize| 4.0 * RADIUS * ((i as f64 + 0.5) / RASTER as f64 - 0.5);
         let points = (0..RASTER * RASTER).map(|i| [side(i % RASTER), side(i / RASTER)]);
         points
-            .filter(|&p| encloses(outline, p) != encloses(&flower, p))
+            .filter(|&p| encloses(contour, p) != encloses(&flower, p))
             .count() as f64
     };
     Ok(apart(&rim(found)) / apart(&rim(&scene(false, size)?)))
@@ -76,21 +76,21 @@ fn rim(scene: &Scene) -> Vec<[f64; 2]> {
 }
 
 /// The mean distance of the rim's vertices from the flower's, over that of the disk's.
-/// It does not vanish where a shape does not depend on where along its outline the
+/// It does not vanish where a shape does not depend on where along its contour the
 /// vertices are.
 pub fn vertex_distance(found: &Scene, size: [u32; 2]) -> Result<f64, Failure> {
     let flower = rim(&scene(true, size)?);
-    let sum = |outline: &[[f64; 2]]| -> f64 {
-        let pairs = outline.iter().zip(&flower);
+    let sum = |contour: &[[f64; 2]]| -> f64 {
+        let pairs = contour.iter().zip(&flower);
         pairs.map(|(a, b)| (a[0] - b[0]).hypot(a[1] - b[1])).sum()
     };
     Ok(sum(&rim(found)) / sum(&rim(&scene(false, size)?)))
 }
 
-/// True if a closed outline runs around a point, an odd number of times.
-fn encloses(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let next = outline.iter().cycle().skip(1);
-    let crossed = outline.iter().zip(next).filter(|&(a, b)| {
+/// True if a closed contour runs around a point, an odd number of times.
+fn encloses(contour: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let next = contour.iter().cycle().skip(1);
+    let crossed = contour.iter().zip(next).filter(|&(a, b)| {
         (a[1] > y) != (b[1] > y) && x < a[0] + (b[0] - a[0]) * (y - a[1]) / (b[1] - a[1])
     });
     crossed.count() % 2 == 1

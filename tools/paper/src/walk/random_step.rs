@@ -1,7 +1,7 @@
 //! The classical walk on spheres, Section 4.1: harmonic fields, which solve
 //! Laplace's equation with the boundary's velocities as values, Eq. (12).
 //!
-//! The walk jumps to the rim of the largest empty ball, Eq. (14), again and
+//! The walk steps to the rim of the largest empty ball, Eq. (14), again and
 //! again, because a harmonic function is its mean over any circle around a
 //! point, Eq. (13). It ends in a shell of width `ε` at the boundary. That holds
 //! on the line, in the plane and on the sphere: circles around a point of a
@@ -18,8 +18,8 @@ pub struct ShellSettings {
     /// `ε`: a walk ends nearer to the boundary than this. The field is wrong by
     /// at most the change of the boundary's velocity over this distance.
     pub shell: f64,
-    /// A walk that has not arrived after so many jumps is given up. Walks
-    /// inside a closed boundary take of the order of `log 1/ε` jumps.
+    /// A walk that has not arrived after so many steps is given up. Walks
+    /// inside a closed boundary take of the order of `log 1/ε` steps.
     pub max_steps: u32,
     /// [`Estimator::Literal`] is Eq. (17) as printed: its noise grows like the
     /// inverse distance to the boundary. [`Estimator::Anchored`] subtracts the
@@ -43,13 +43,13 @@ impl Default for ShellSettings {
 pub struct Arrival<S, V> {
     /// A sample of the harmonic field and its gradient, from the same walk.
     pub sample: FieldSample<S, V>,
-    /// How many jumps it took.
+    /// How many steps it took.
     pub steps: u32,
 }
 
 /// A sample of the harmonic field's value and gradient at `x`, Eqs. (16) and
 /// (17). `random(i)` is the `i`-th uniform number of this sample, one for each
-/// jump. `None` if the walk did not arrive: there is no boundary, or it is
+/// step. `None` if the walk did not arrive: there is no boundary, or it is
 /// longer than `max_steps`. Callers count these; dropping them is a bias.
 pub fn sample_harmonic<D: Domain>(
     domain: &D,
@@ -59,7 +59,7 @@ pub fn sample_harmonic<D: Domain>(
 ) -> Option<Arrival<D::Site, D::Vector>> {
     let nearest = domain.closest(x, f64::INFINITY)?;
     let e = domain.tangent(x, random(0));
-    // Eq. (17); the first jump is made even inside the shell.
+    // Eq. (17); the first step is made even inside the shell.
     let gradient = e * domain.rim_over_ball(nearest.distance);
     let first = domain.walk(x, e, nearest.distance);
     let (site, steps) = arrive(domain, first, settings, random)?;
@@ -72,8 +72,8 @@ pub fn sample_harmonic<D: Domain>(
     Some(Arrival { sample, steps })
 }
 
-/// The boundary point where a walk from `x` ends that has made one jump
-/// before, and the number of its jumps, Eq. (16).
+/// The boundary point where a walk from `x` ends that has made one step
+/// before, and the number of its steps, Eq. (16).
 fn arrive<D: Domain>(
     domain: &D,
     mut x: D::Vector,

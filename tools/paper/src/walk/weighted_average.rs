@@ -7,7 +7,7 @@ use capwalk_math::{Dual, Real};
 /// The weighted average over the line whose part from 0 to 1 does not move and
 /// whose part from 1 to 2 moves to the right with velocity 1.
 ///
-/// Its velocity jumps at 1, as that of surfaces does at a silhouette. The
+/// Its velocity is discontinuous at 1, as that of surfaces is at a silhouette. The
 /// weights are `1/(D + B)^γ` with Bangaru et al.'s `D = exp(d²/2σ²) - 1` of the
 /// distance `d` to the point, and with the boundary test `B` of a point: its
 /// distance to the end of its own part, 0 or 1.
@@ -33,11 +33,11 @@ impl Default for WeightedAverage {
 impl WeightedAverage {
     /// The field and its derivative at `x`, inside `(0, 1)`, by quadrature; to
     /// about 1e-6.
-    pub fn value_and_slope(&self, x: f64) -> (f64, f64) {
+    pub fn value_and_derivative(&self, x: f64) -> (f64, f64) {
         let x = Dual::<1>::variable(x, 0);
-        let at_rest = self.weight(x, [0.0, x.value], 0.0) + self.weight(x, [x.value, 1.0], 0.0);
+        let stationary = self.weight(x, [0.0, x.value], 0.0) + self.weight(x, [x.value, 1.0], 0.0);
         let moving = self.weight(x, [1.0, 2.0], 1.0);
-        let field = moving / (at_rest + moving);
+        let field = moving / (stationary + moving);
         (field.value, field.tangent[0])
     }
 
@@ -69,9 +69,9 @@ impl WeightedAverage {
         let half = 0.5 * (to - from);
         let mut sum = Dual::constant(0.0);
         for (t, w) in gauss_legendre(NODES) {
-            let (offset, stretch) = (half * t.powi(8), half * 8.0 * t.powi(7));
+            let (offset, jacobian) = (half * t.powi(8), half * 8.0 * t.powi(7));
             for q in [from + offset, to - offset] {
-                sum = sum + self.weight_of(x, q, q - end) * Dual::constant(w * stretch);
+                sum = sum + self.weight_of(x, q, q - end) * Dual::constant(w * jacobian);
             }
         }
         sum
@@ -95,7 +95,7 @@ mod tests {
     #[test]
     fn the_ratio_is_consistent_but_biased() {
         let field = WeightedAverage::default();
-        let exact = field.value_and_slope(0.9).0;
+        let exact = field.value_and_derivative(0.9).0;
         let evenly = |n: u32| (0..n).map(move |i| 2.0 * (f64::from(i) + 0.5) / f64::from(n));
         let many = field.estimate(0.9, evenly(2_000_000)).0;
         assert!((many - exact).abs() < 1e-4, "{many} {exact}");
@@ -111,18 +111,18 @@ mod tests {
     }
 
     #[test]
-    fn slope_is_that_of_the_value() {
+    fn derivative_is_that_of_the_value() {
         for power in [1.0, 3.0] {
             let field = WeightedAverage { width: 0.1, power };
             for x in [0.03, 0.4, 0.8, 0.93, 0.99] {
                 let h = 1e-4 * (1.0 - x);
-                let [ahead, behind] = [x + h, x - h].map(|x| field.value_and_slope(x).0);
+                let [ahead, behind] = [x + h, x - h].map(|x| field.value_and_derivative(x).0);
                 let expected = (ahead - behind) / (2.0 * h);
-                let slope = field.value_and_slope(x).1;
-                let error = (slope - expected).abs();
+                let derivative = field.value_and_derivative(x).1;
+                let error = (derivative - expected).abs();
                 assert!(
                     error < 1e-3 * (1.0 + expected.abs()),
-                    "{slope}, {expected} at {x}"
+                    "{derivative}, {expected} at {x}"
                 );
             }
         }

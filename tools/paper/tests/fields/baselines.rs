@@ -146,11 +146,11 @@ fn eyes_move() {
     assert!(found == Verdict::Right && z.abs() < Z, "{found:?}, {z}");
 }
 
-/// Light from a lamp, whose edges the field knows, too, past something; all of
+/// Light from an emitter, whose edges the field knows, too, past something; all of
 /// them move, and the ground under them. The size of the derivative, as seen by
 /// weights that do not come from it.
 #[test]
-fn shadows_and_lamps() {
+fn shadows_and_emitters() {
     let mut scene = with(triangle());
     scene.film.size = [12; 2];
     scene.film.crop_size = [12; 2];

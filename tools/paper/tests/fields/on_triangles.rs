@@ -17,16 +17,16 @@ use capwalk_math::Rgb;
 use capwalk_paper::fields::{AMONG_EXPLICIT_BOUNDARIES, ON_TRIANGLES};
 use capwalk_scene::*;
 
-/// A floor below a lamp of one large triangle, before which silhouettes pass.
+/// A floor below an emitter of one large triangle, before which silhouettes pass.
 fn under_a_triangle(thing: Mesh) -> Scene {
     let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 12.0, 40);
     scene.sensor.near_clip = 5.6;
     add_floor(&mut scene, 3.0);
-    let lamp = Mesh {
+    let emitter = Mesh {
         positions: vec![v(2.2, -1.2, 1.9), v(-2.2, -1.3, 2.0), v(0.1, 2.4, 1.85)],
         faces: vec![[0, 1, 2]],
     };
-    add(&mut scene, "lamp", lamp, ShadingNormals::Face, 0.0);
+    add(&mut scene, "lamp", emitter, ShadingNormals::Face, 0.0);
     light_up(&mut scene, 3.0);
     add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
     scene
@@ -54,7 +54,7 @@ fn few_pixels() -> Case {
 
 /// A shadow alone, by one step and by two.
 #[test]
-fn outlines_inside_one_triangle() {
+fn silhouettes_inside_one_triangle() {
     for steps in [1, 2] {
         let walk = WalkSettings {
             steps,
@@ -69,7 +69,7 @@ fn outlines_inside_one_triangle() {
     }
 }
 
-/// Occluder, receiver and lamp move at once.
+/// Occluder, receiver and emitter move at once.
 #[test]
 fn everything_moves_under_one_triangle() {
     let scene = under_a_triangle(triangle());
@@ -77,9 +77,9 @@ fn everything_moves_under_one_triangle() {
     on_triangles("everything", scene, expression, few_pixels());
 }
 
-/// The shadow's border crosses the lamp's border and its diagonal.
+/// The shadow's border crosses the emitter's border and its diagonal.
 #[test]
-fn outlines_cross_borders() {
+fn silhouettes_cross_borders() {
     let case = Case {
         gradient_spp: 5000,
         reference_spp: 5000,
@@ -100,7 +100,7 @@ fn image_of_a_moving_thing() {
     };
     let scene = visible_cube();
     let expression = "thing.translate.x + 0.5*thing.rotate.z";
-    on_triangles("picture", scene, expression, case);
+    on_triangles("image", scene, expression, case);
 }
 
 /// Light from everywhere, past the borders of all triangles, and from other surfaces.

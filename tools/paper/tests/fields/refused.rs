@@ -12,7 +12,7 @@ use capwalk_scene::*;
 
 /// Fields on triangles have no images, flat or not; who is told so is told what has.
 #[test]
-fn a_lamp_that_moves_in_a_flat_mirror() {
+fn an_emitter_that_moves_in_a_flat_mirror() {
     let mut scene = mirror_floor();
     scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     for name in ["lamp.translate.x", "sensor.translate.x", "floor.rotate.x"] {
@@ -65,9 +65,9 @@ fn warped_areas_under_parallel_rays() {
     assert!(refusal.to_string().contains("orthographic"), "{refusal}");
 }
 
-/// None of these fields knows the lines where textures jump.
+/// None of these fields knows the lines where textures are discontinuous.
 #[test]
-fn motion_beside_textures_that_jump() {
+fn motion_beside_discontinuous_textures() {
     let scene = checkered_floor(4.0);
     let moves = tangent(&scene, "lamp.translate.x");
     for (method, why) in [

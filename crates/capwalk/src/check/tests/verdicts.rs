@@ -93,8 +93,8 @@ struct Sketch {
     fov: &'static str,
     /// `sky`, `lamp` or `bulb`.
     light: &'static str,
-    /// Half the width of the lamp, world units.
-    lamp: f64,
+    /// Half the width of the emitter, world units.
+    emitter: f64,
     /// Of the thing: `diffuse` or `metal`.
     material: &'static str,
     /// How the opacities of the leaf are looked up.
@@ -115,7 +115,7 @@ const LOW: Sketch = Sketch {
     eye: "0.1",
     fov: "15",
     light: "lamp",
-    lamp: 0.3,
+    emitter: 0.3,
     material: "diffuse",
     texels: "bilinear",
     depth: "3",
@@ -150,7 +150,7 @@ impl Sketch {
             eye: random.of(&["0.1", "0.33", "1.01", "2.5"]),
             fov: random.of(&["15", "34", "60"]),
             light: random.of(&["sky", "lamp", "lamp", "bulb"]),
-            lamp: random.between(0.1, 1.0),
+            emitter: random.between(0.1, 1.0),
             material: random.of(&["diffuse", "diffuse", "metal"]),
             texels: random.of(&["bilinear", "nearest"]),
             depth: random.of(&["2", "3", "4"]),
@@ -189,7 +189,7 @@ impl Sketch {
                 r#"<shape type="rectangle" id="lamp"><transform name="to_world"><rotate x="1" angle="180"/>
 <scale value="{}"/><translate x="0.8" y="0.5" z="3"/></transform>
 <emitter type="area"><rgb name="radiance" value="20"/></emitter></shape>"#,
-                self.lamp
+                self.emitter
             ),
             _ => r#"<emitter type="point" id="bulb"><point name="position" x="0.8" y="0.5" z="3"/>
 <rgb name="intensity" value="10"/></emitter>"#

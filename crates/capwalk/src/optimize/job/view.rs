@@ -97,7 +97,7 @@ pub fn views(document: &Document, root: &Table) -> Result<Vec<ViewKeys>, LoadErr
         None => Err(document.error_with_help(
             place,
             "there is no target",
-            "expected a [target]: a `picture`, a `scene` to render, or numbers to `set` in it",
+            "expected a [target]: an `image`, a `scene` to render, or numbers to `set` in it",
         )),
     };
     if tables.is_empty() {
@@ -150,7 +150,7 @@ pub fn views(document: &Document, root: &Table) -> Result<Vec<ViewKeys>, LoadErr
 }
 
 fn target(table: &Table) -> Result<TargetKeys, LoadError> {
-    let target = match table.get("picture") {
+    let target = match table.get("image") {
         Some(file) => TargetKeys::Image {
             file: located(&file)?,
             layer: maybe_located(table, "layer")?.map(|layer| layer.text),

@@ -80,7 +80,7 @@ fn every_order_of_writing_can_be_resumed() {
         fs::create_dir(capwalk.path(&format!("{case}/scene_textures"))).expect("made");
         for half in [
             ".parameters.npz.99.capwalk-tmp",
-            "pictures/.000040.png.99.capwalk-tmp",
+            "images/.000040.png.99.capwalk-tmp",
             "scene_meshes/.leaf.ply.77.capwalk-tmp",
             "scene_textures/.bark.exr.77.capwalk-tmp",
         ] {
@@ -90,7 +90,7 @@ fn every_order_of_writing_can_be_resumed() {
         assert_eq!(resumed.status, 0, "{case}: {}", resumed.stderr);
         assert_has(&resumed.stderr, &["going on after iteration 12"]);
         // The short run drew its last image, which the whole one did not.
-        fs::remove_file(capwalk.path(&format!("{case}/pictures/000012.png"))).expect("there");
+        fs::remove_file(capwalk.path(&format!("{case}/images/000012.png"))).expect("there");
         assert_same_files(&capwalk.path("whole"), &capwalk.path(case));
     }
     // Fewer rows than the checkpoint counts cannot be made up.
@@ -170,7 +170,7 @@ fn files_of_others_are_not_written_over() {
         ("line", "record.csv", "mine"),
         ("timing", "timing.csv", "my times"),
         ("lock", ".lock", "mine"),
-        ("picture", "pictures/000000.png", "mine"),
+        ("image", "images/000000.png", "mine"),
         ("result", "parameters.npz", "mine"),
     ] {
         let parent = capwalk.path(&format!("{folder}/{path}"));
@@ -185,7 +185,7 @@ fn files_of_others_are_not_written_over() {
     }
     // What a run leaves that was killed before its first checkpoint, beside something that is not
     // its own.
-    fs::create_dir_all(capwalk.path("begun/pictures")).expect("made");
+    fs::create_dir_all(capwalk.path("begun/images")).expect("made");
     for (file, text) in [
         ("record.csv", "iteration,loss\n"),
         ("timing.csv", "itera"),

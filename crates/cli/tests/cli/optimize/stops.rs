@@ -113,7 +113,7 @@ fn runs_stop_for_a_reason() {
     assert_eq!(capwalk.run(target).status, 0);
     let rendered = "[target]\nspp = 64\n[target.set]\n\"leaf.translate.x\" = 0.2";
     let limited = SMALL.replace("iterations = 40", "iterations = 100000000");
-    let limited = limited.replace(rendered, "target = { picture = \"target.exr\" }");
+    let limited = limited.replace(rendered, "target = { image = \"target.exr\" }");
     capwalk.write("limit.toml", &limited);
     let limited = capwalk.run("optimize limit.toml --time-limit 1s");
     assert_eq!(limited.status, 0, "{}", limited.stderr);

@@ -276,7 +276,7 @@ impl Slots<'_> {
     }
 }
 
-/// What maps of normals do by default: nothing jumps.
+/// What maps of normals do by default: nothing is discontinuous.
 pub const SMOOTH_LIMITS: NormalLimits = NormalLimits {
     flip_invalid: true,
     shadowing: true,

@@ -80,7 +80,7 @@ pub fn add(scene: &mut Scene, id: &str, mesh: Mesh, normals: ShadingNormals, gre
     scene.add_shape(Shape::new(id, mesh, normals, outer));
 }
 
-/// Makes the last shape added a lamp.
+/// Makes the last shape added an emitter.
 pub fn light_up(scene: &mut Scene, radiance: f64) {
     let shape = ShapeId(scene.shapes.len() as u32 - 1);
     let id = EmitterId(scene.emitters.len() as u32);
@@ -105,9 +105,9 @@ pub fn add_floor(scene: &mut Scene, half: f64) {
     add(scene, "floor", mesh, normals, 0.7);
 }
 
-/// A square lamp of the given side, facing down from `centre`, turned by some
+/// A square emitter of the given side, facing down from `centre`, turned by some
 /// radians about the vertical.
-pub fn add_lamp(scene: &mut Scene, centre: Vec3, side: f64, turned: f64, radiance: f64) {
+pub fn add_emitter(scene: &mut Scene, centre: Vec3, side: f64, turned: f64, radiance: f64) {
     let down = Affine::rotate(v(1.0, 0.0, 0.0), std::f64::consts::PI);
     let turn = Affine::rotate(v(0.0, 0.0, 1.0), turned);
     let scale = Affine::scale(v(0.5 * side, 0.5 * side, 1.0));
@@ -116,11 +116,11 @@ pub fn add_lamp(scene: &mut Scene, centre: Vec3, side: f64, turned: f64, radianc
     light_up(scene, radiance);
 }
 
-/// METHOD's reference set-up: a square lamp of side 1 and radiance 1 at height
+/// METHOD's reference set-up: a square emitter of side 1 and radiance 1 at height
 /// 2 and an icosphere of 320 faces and radius 0.35 at height 1.
 pub fn reference_scene() -> Scene {
     let mut scene = empty(v(0.0, -5.0, 1.0), v(0.0, 0.0, 1.0), 40.0, 4);
-    add_lamp(&mut scene, v(0.0, 0.0, 2.0), 1.0, 0.0, 1.0);
+    add_emitter(&mut scene, v(0.0, 0.0, 2.0), 1.0, 0.0, 1.0);
     let mut ball = icosphere(4);
     assert_eq!(ball.faces.len(), 320);
     ball.positions

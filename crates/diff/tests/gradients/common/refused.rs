@@ -9,7 +9,7 @@ use capwalk_scene::texture::UvTransform;
 use capwalk_scene::*;
 
 use super::stages::{shadow_stage, unit_square};
-use super::{add_floor, add_lamp, empty, v};
+use super::{add_emitter, add_floor, empty, v};
 /// Replaces a material.
 fn material(scene: &mut Scene, name: &str, bsdf: Bsdf) {
     let found = scene.materials.iter_mut().find(|m| m.id == name);
@@ -25,11 +25,11 @@ fn mirror(scene: &mut Scene) -> Bsdf {
     })
 }
 
-/// A mirror for a floor, flat but with normals of its own, and a lamp seen in it.
+/// A mirror for a floor, flat but with normals of its own, and an emitter seen in it.
 pub fn mirror_floor() -> Scene {
     let mut scene = empty(v(0.0, -3.0, 2.0), v(0.0, 0.0, 0.0), 30.0, 12);
     add_floor(&mut scene, 3.0);
-    add_lamp(&mut scene, v(0.0, 1.6, 1.2), 0.8, 0.3, 10.0);
+    add_emitter(&mut scene, v(0.0, 1.6, 1.2), 0.8, 0.3, 10.0);
     let metal = mirror(&mut scene);
     material(&mut scene, "floor.bsdf", metal);
     let floor = scene.shape_mut(ShapeId(0));
@@ -42,7 +42,7 @@ pub fn mirror_floor() -> Scene {
     scene
 }
 
-/// A floor on which a texture jumps between so many squares, a lamp above it, and few pixels.
+/// A floor with a checkerboard of so many squares, an emitter above it, and few pixels.
 pub fn checkered_floor(squares: f64) -> Scene {
     let mut scene = shadow_stage();
     (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);

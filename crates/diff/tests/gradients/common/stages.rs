@@ -13,7 +13,7 @@ pub fn shadow_stage() -> Scene {
     let mut scene = empty(v(0.3, -0.4, 6.0), v(0.0, 0.0, 0.0), 22.0, 40);
     scene.sensor.near_clip = 5.6; // what is above the floor is not seen
     add_floor(&mut scene, 3.0);
-    add_lamp(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
+    add_emitter(&mut scene, v(0.1, 0.0, 3.0), 0.8, 0.3, 10.0);
     scene
 }
 
@@ -51,7 +51,7 @@ pub fn with(mesh: Mesh) -> Scene {
 pub fn visible_stage(from: Vec3) -> Scene {
     let mut scene = empty(from, v(0.0, 0.05, 0.4), 22.0, 36);
     add_floor(&mut scene, 4.0);
-    add_lamp(&mut scene, v(0.9, -0.6, 2.6), 0.8, 0.3, 10.0);
+    add_emitter(&mut scene, v(0.9, -0.6, 2.6), 0.8, 0.3, 10.0);
     scene
 }
 
@@ -107,7 +107,7 @@ pub fn unit_square(scene: &mut Scene, shape: &str) {
     shape.uvs = Some(shape.mesh.faces.iter().map(|face| face.map(uv)).collect());
 }
 
-fn without_lamps(scene: &mut Scene) {
+fn without_emitters(scene: &mut Scene) {
     for shape in scene.shapes_mut() {
         shape.emitter = None;
     }
@@ -123,16 +123,16 @@ pub fn add_constant_light(scene: &mut Scene, radiance: f64) {
     scene.emitters.push(Emitter::Constant { id, radiance });
 }
 
-/// Light of one colour from everywhere, instead of all lamps.
+/// Light of one colour from everywhere, instead of all emitters.
 pub fn under_constant_light(mut scene: Scene) -> Scene {
-    without_lamps(&mut scene);
+    without_emitters(&mut scene);
     add_constant_light(&mut scene, 1.0);
     scene
 }
 
-/// A sky of 8 x 4 colours, brighter above, instead of all lamps.
+/// A sky of 8 x 4 colours, brighter above, instead of all emitters.
 pub fn under_a_sky(mut scene: Scene) -> Scene {
-    without_lamps(&mut scene);
+    without_emitters(&mut scene);
     let number = |i: usize| 0.2 + ((i * i * 5 + i * 11) % 13) as f64 / 4.0;
     let data = scene.add_texture(Texture {
         id: "sky".into(),

@@ -194,7 +194,7 @@ materials! {
     rough_plastic::RoughPlastic,
     /// Clear facets and a diffuse base, added.
     polarized_plastic::PolarizedPlastic,
-    /// Many looks from few numbers.
+    /// Many appearances from few numbers.
     principled::Principled,
     /// The same of a sheet.
     principled_thin::PrincipledThin,

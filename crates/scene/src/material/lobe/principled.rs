@@ -1,4 +1,4 @@
-//! The principled material: many looks from few numbers.
+//! The principled material: many appearances from few numbers.
 
 use std::f64::consts::PI;
 

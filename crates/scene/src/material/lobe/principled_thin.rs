@@ -163,9 +163,9 @@ impl<R: Real> Scatters<R> for PrincipledThin<R> {
 
 /// From zero, where the transmitted direction is in the plane of the facet, to one.
 ///
-/// Mitsuba has nothing for directions in front of the facet: transmission would jump along a
-/// curve that is on no edge, which no derivative of the integrand sees. Faded over half a
-/// degree it is continuous.
+/// Mitsuba has nothing for directions in front of the facet: transmission would be discontinuous
+/// along a curve that is on no edge, which no derivative of the integrand sees. Faded over half
+/// a degree it is continuous.
 #[inline]
 fn fade<R: Real>(cos: R) -> R {
     const WIDTH: f64 = 0.01;

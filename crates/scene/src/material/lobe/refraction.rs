@@ -39,8 +39,8 @@ pub(super) fn transmission<R: Real>(
 
 /// From zero for facets that stand upright to one for all but the last half degree.
 ///
-/// GGX has such facets, and the model ends with them: refraction would jump
-/// along a circle that moves with `wi`, which no derivative of the integrand
+/// GGX has such facets, and the model ends with them: refraction would be
+/// discontinuous along a circle that moves with `wi`, which no derivative of the integrand
 /// sees (it would miss 5 % at a roughness of 0.6). Faded, it is continuous; the
 /// light that is lost is 0.05 % for a roughness of 0.3, at most 0.3 % for 0.9.
 #[inline]

@@ -51,19 +51,19 @@ impl RoughTransmittance {
                 internal_reflectance(&facets, eta),
             )
         };
-        let here = at(alpha, eta);
+        let middle = at(alpha, eta);
         let by_alpha = [at(alpha + alpha_step, eta), at(alpha - alpha_step, eta)];
         let by_eta = [at(alpha, eta + eta_step), at(alpha, eta - eta_step)];
-        let slope = |[above, below]: [f64; 2], step: f64| (above - below) / (2.0 * step);
+        let derivative = |[above, below]: [f64; 2], step: f64| (above - below) / (2.0 * step);
         let transmittance = std::array::from_fn(|i| Entry {
-            value: here.0[i],
-            by_alpha: slope([by_alpha[0].0[i], by_alpha[1].0[i]], alpha_step),
-            by_eta: slope([by_eta[0].0[i], by_eta[1].0[i]], eta_step),
+            value: middle.0[i],
+            by_alpha: derivative([by_alpha[0].0[i], by_alpha[1].0[i]], alpha_step),
+            by_eta: derivative([by_eta[0].0[i], by_eta[1].0[i]], eta_step),
         });
         let internal_reflectance = Entry {
-            value: here.1,
-            by_alpha: slope([by_alpha[0].1, by_alpha[1].1], alpha_step),
-            by_eta: slope([by_eta[0].1, by_eta[1].1], eta_step),
+            value: middle.1,
+            by_alpha: derivative([by_alpha[0].1, by_alpha[1].1], alpha_step),
+            by_eta: derivative([by_eta[0].1, by_eta[1].1], eta_step),
         };
         Self {
             distribution,
@@ -193,7 +193,7 @@ mod tests {
     fn tables_know_their_derivatives() {
         let table = |alpha: f64, eta: f64| RoughTransmittance::new(Distribution::Ggx, alpha, eta);
         let (alpha, eta) = (0.3, 1.6);
-        let here = table(alpha, eta);
+        let middle = table(alpha, eta);
         let read = |table: &RoughTransmittance, cos: f64| {
             let (alpha, eta) = (table.alpha(), table.eta());
             [
@@ -211,11 +211,11 @@ mod tests {
                 Dual::variable(eta, 1),
             ];
             let duals = [
-                here.transmittance(cos_r, alpha_r, eta_r),
-                here.internal_reflectance(alpha_r, eta_r),
+                middle.transmittance(cos_r, alpha_r, eta_r),
+                middle.internal_reflectance(alpha_r, eta_r),
             ];
             for (i, dual) in duals.into_iter().enumerate() {
-                assert_eq!(dual.value, read(&here, cos)[i]);
+                assert_eq!(dual.value, read(&middle, cos)[i]);
                 for (tangent, [above, below]) in dual.tangent.into_iter().zip([&by_alpha, &by_eta])
                 {
                     let difference = (read(above, cos)[i] - read(below, cos)[i]) / (2.0 * STEP);
@@ -225,12 +225,12 @@ mod tests {
             }
         }
         // Between nodes it is linear.
-        let slope = here.transmittance(
+        let derivative = middle.transmittance(
             Dual::<1>::variable(0.4, 0),
             Dual::constant(alpha),
             Dual::constant(eta),
         );
-        let [above, below] = [0.401, 0.399].map(|cos| read(&here, cos)[0]);
-        assert!((slope.tangent[0] - (above - below) / 0.002).abs() < 1e-9);
+        let [above, below] = [0.401, 0.399].map(|cos| read(&middle, cos)[0]);
+        assert!((derivative.tangent[0] - (above - below) / 0.002).abs() < 1e-9);
     }
 }

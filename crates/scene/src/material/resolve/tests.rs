@@ -186,9 +186,9 @@ fn derivatives_pass_through() {
     let lobes: Vec<_> = resolved.bsdf.lobes().collect();
     let luminance = 0.212671 * 0.2 + 0.715160 * 0.4 + 0.072169 * 0.9;
     assert!((lobes[0].0.value - luminance).abs() < 1e-15);
-    let slope = 0.212671 + 7.15160 + 7.2169;
-    assert!((lobes[0].0.tangent[0] - slope).abs() < 1e-12);
-    assert!((lobes[1].0.tangent[0] + slope).abs() < 1e-12);
+    let derivative = 0.212671 + 7.15160 + 7.2169;
+    assert!((lobes[0].0.tangent[0] - derivative).abs() < 1e-12);
+    assert!((lobes[1].0.tangent[0] + derivative).abs() < 1e-12);
     let Lobe::Diffuse(diffuse) = lobes[0].1 else {
         panic!("diffuse");
     };

@@ -68,11 +68,11 @@ fn divergence_is_that_of_the_mean() {
     };
     let step = 1e-6;
     let frame = Frame::from_normal(q);
-    let slope = |d: Vec3| {
+    let gradient = |d: Vec3| {
         let at = |side: f64| field((q + d * (side * step)).normalized());
         d.dot(at(1.0) - at(-1.0)) / (2.0 * step)
     };
-    let expected = slope(frame.s) + slope(frame.t);
+    let expected = gradient(frame.s) + gradient(frame.t);
     let shares = shares_at(q).into_iter().enumerate();
     let divergence: f64 = shares
         .map(|(i, share)| share.divergence.dot(velocity(i)))
@@ -82,7 +82,7 @@ fn divergence_is_that_of_the_mean() {
     assert!(error.abs() < 1e-6, "{divergence} against {expected}");
 }
 
-/// A thing that fills the view carries every direction along, a factor scales
+/// A thing that fills the view warps every direction, a factor scales
 /// all of it.
 #[test]
 fn shares_add_up() {
