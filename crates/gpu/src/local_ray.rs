@@ -4,6 +4,7 @@
 use capwalk_geometry::ray::{EDGE_ON, RayShear};
 use capwalk_geometry::{LocalFrame, Ray};
 
+use crate::layout::margin::SLOWEST;
 use crate::layout::ray::*;
 use crate::precision::Precision;
 
@@ -18,11 +19,6 @@ const ORIGIN_MARGIN: f64 = 1.0 / (1_u64 << 46) as f64;
 /// How far triangles tested in single precision may lie from where they are, and the ray
 /// as well, local units: their margin of boxes.
 const SINGLE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
-
-/// Slower components of the direction (relative to the fastest) are rounded to this,
-/// which keeps their inverses finite and moves no point within the tree by more than
-/// twice as much.
-const SLOWEST: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// [`EDGE_ON`] in single precision.
 const EDGE_ON_SINGLE: f64 = 1.0 / (1 << 21) as f64;
