@@ -91,7 +91,7 @@ slang_constants! {
     /// as they are stored. Components of a ray's direction that are slower than this, relative to the fastest, are rounded to it, which
     /// keeps their inverses finite and moves no point within the tree by more than twice as much.
     margin {
-        POSITION_MARGIN = 1.0 / (1 << 18) as f64, SLOWEST = 1.0 / (1_u64 << 60) as f64,
+        POSITION_MARGIN = 1.0 / (1 << 18) as f64, SLOWEST = capwalk_geometry::ray::SLOWEST,
     }
 }
 
