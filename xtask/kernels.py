@@ -23,7 +23,7 @@ import slangpy
 
 # Of each source its kernels.
 ENTRIES = {
-    "queries": ["first_hit", "occluded", "closest", "gather", "eights"],
+    "queries": ["first_hit", "occluded", "closest", "gather"],
     "moved": ["moved_triangles", "moved_edges"],
     "bounds": ["bound_triangles", "bound_edges"],
     "render": ["begin_paths", "go_on", "go_on_diffuse"],
@@ -43,9 +43,6 @@ PRECISIONS = ["single", "double"]
 MARK = "//// "
 # Larger than a pack, so that each kernel is packed as what differs from those before.
 DICTIONARY = 1 << 24
-# Of kernels that would take too many registers in double precision, how many groups of
-# `GROUP` threads a multiprocessor must have room for (docs/benchmarks.md).
-BOUNDS = dict.fromkeys(["closest", "gather"], ".maxntid 64, 1, 1\n.minnctapersm 12\n")
 # Volta, 2017; drivers compile it for what there is.
 LEAST_ARCHITECTURE = "compute_70"
 
@@ -115,7 +112,7 @@ def wgsl(library, source, entry, precision):
 
 def ptx(library, compiler, source, entry, precision):
     """The kernel in PTX. Nothing is fused in double precision, so that answers are the
-    processor's to the last bit; in single precision, where margins are far larger, the driver
+    CPU's to the last bit; in single precision, where margins are far larger, the driver
     may fuse what it likes, which it does where no rounding is named, and divisions and roots
     may be off by some ulp."""
     real = "float" if precision == "single" else "double"
@@ -131,8 +128,6 @@ def ptx(library, compiler, source, entry, precision):
         sys.exit(f"error: {entry} in {precision} precision was not compiled to PTX: {result}")
     result = re.sub(r"\b(add|sub|mul)\.rn\.f32\b", r"\1.f32", result)
     result = re.sub(r"\b(div|sqrt)\.rn\.f32\b", r"\1.approx.f32", result)
-    if precision == "double":
-        result = re.sub(r"(\.visible \.entry \w+\(\)\n)", r"\1" + BOUNDS.get(entry, ""), result)
     # What the headers declare and no kernel uses.
     result = re.sub(r"^\.global .*\n", "", result, flags=re.M)
     lines = [line.rstrip() for line in result.rstrip("\0").splitlines()]

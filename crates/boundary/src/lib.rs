@@ -70,7 +70,7 @@ pub use mirror::{MAX_EVENTS, Mirrors};
 pub use mirror_image::{DrawnImage, MirrorImage, moving_apex, moving_image};
 pub use mirror_planes::MirrorPlanes;
 pub use motion::Motion;
-pub use random::{Sampler, Stream, Streams};
+pub use random::{GOLDEN, MIXERS, Sampler, Stream, Streams};
 pub use reflected::SAME_MIRROR;
 pub use refusal::{Refusal, SpecularCause};
 pub use silhouette_pieces::{EdgePoint, PARALLEL, SilhouettePieces, clip, place};

@@ -178,17 +178,20 @@ fn independent(key: u64, dimension: u32) -> f64 {
 }
 
 /// 2^64 over the golden ratio: consecutive multiples are well spread.
-const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+pub const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
 /// Makes branches differ from the numbers that they grow from; π.
 const BRANCH: u64 = 0x243f_6a88_85a3_08d3;
+
+/// The factors of SplitMix.
+pub const MIXERS: [u64; 2] = [0xbf58_476d_1ce4_e5b9, 0x94d0_49bb_1331_11eb];
 
 /// A bijection of 64 bits that looks random (the finaliser of SplitMix64,
 /// Steele et al. 2014).
 #[inline(always)]
 fn mix(mut x: u64) -> u64 {
-    x = (x ^ (x >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    x = (x ^ (x >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    x = (x ^ (x >> 30)).wrapping_mul(MIXERS[0]);
+    x = (x ^ (x >> 27)).wrapping_mul(MIXERS[1]);
     x ^ (x >> 31)
 }
 

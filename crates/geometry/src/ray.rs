@@ -85,6 +85,23 @@ impl RayShear {
 /// some four errors of 2⁻⁵³ each.
 pub const EDGE_ON: f64 = 1.0 / (1_u64 << 50) as f64;
 
+/// What single precision may add up to between a plane of a box and the
+/// distance at which the ray crosses it, as a displacement of the plane in
+/// local units. All coordinates are below 1 or so, and there are eight
+/// roundings of at most 2⁻²⁴: of the start, its product with the inverse
+/// direction, the inverse (twice its share, for distances up to 2), the
+/// product, and the sums.
+pub const PLANE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
+
+/// This displacement for double precision, per local unit between the tree and the
+/// ray's origin.
+pub const ORIGIN_MARGIN: f64 = 1.0 / (1_u64 << 46) as f64;
+
+/// Slower components of the direction (relative to the fastest) are rounded
+/// to this, which moves no point of the ray within the tree by more than twice
+/// as much. Keeps their inverses finite.
+pub const SLOWEST: f64 = 1.0 / (1_u64 << 60) as f64;
+
 /// Where the ray meets the triangle, without its face; `None` if it misses, is
 /// parallel, or the triangle has no area. Two-sided, borders included.
 ///

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use capwalk_boundary::{
     AreaEmitter, BESIDE, Boundaries, EdgeSampler, Extent, MANY_CORNERS, Motion,
 };
+use capwalk_geometry::buffers::SilhouetteBuffers;
 use capwalk_geometry::edge::ON_PLANE;
 use capwalk_geometry::sampler_buffers::{BOUNDS, EDGE, FACTORS, NONE, SamplerBuffers};
 use capwalk_geometry::{EdgeSelection, LocalFrame};
@@ -123,8 +124,13 @@ impl EdgeRecords {
         let away = 2.0 * (away.x + away.y + away.z) * frame.inverse_scale;
         let cap = walks.map_or(0.0, |walks| walks.settings.max_radius);
         let [half, whole] = [0.5, 1.0].map(|part| tangent_of(part * cap));
+        let searched = walks.map(|_| boundaries.tree().buffers());
+        let its_frame = searched.as_ref().map_or(*frame, |tree| tree.frame);
+        let [x, y, z] = frame.local_from_world(its_frame.centre).to_array();
+        let scale = its_frame.inverse_scale * frame.scale;
+        let tests = [ON_PLANE, away, IN_PLANE, BESIDE, half, whole];
         let mut records = Self {
-            numbers: vec![ON_PLANE, away, IN_PLANE, BESIDE, half, whole],
+            numbers: [&tests[..], &[x, y, z, scale]].concat(),
             words: vec![0; EDGES_HEADER],
             crosses,
             leaves_before_areas: 0,
@@ -151,6 +157,10 @@ impl EdgeRecords {
         }
         let windows =
             records.add_windows(&boundaries.area_emitters, frame, accel.scene.emitters.len());
+        let [nodes, leaf_starts, places] = searched.map_or([NONE; 3], |tree| {
+            let sampler = boundaries.edge_sampler(accel, EdgeSelection::All);
+            records.add_searched(&tree, &sampler.buffers().edges)
+        });
         let header: [u32; EDGES_HEADER] = record(&[
             (SILHOUETTES, silhouettes),
             (ALL_EDGES, all),
@@ -166,6 +176,9 @@ impl EdgeRecords {
             (MIRRORS, walks.map_or(0, |walks| walks.events)),
             (MOST_LEAVES, leaves),
             (MOST_POINTS, points),
+            (SEARCHED_NODES, nodes),
+            (SEARCHED_LEAVES, leaf_starts),
+            (SEARCHED_EDGES, places),
         ]);
         records.words[..EDGES_HEADER].copy_from_slice(&header);
         records
@@ -321,6 +334,22 @@ impl EdgeRecords {
             (TREE_NUMBERS, numbers_at),
         ]));
         at
+    }
+
+    /// Adds the tree that walks search, given all edges in the order of their records, and returns where its nodes,
+    /// the starts of its leaves and the places of its edges in that order are.
+    fn add_searched(&mut self, tree: &SilhouetteBuffers, edges: &[u32]) -> [u32; 3] {
+        let mut places = vec![NONE; edges.len()];
+        for (place, &edge) in (0..).zip(edges) {
+            places[edge as usize] = place;
+        }
+        let searched = tree.edges.as_chunks::<2>().0.iter();
+        let searched: Vec<u32> = searched.map(|&[edge, _]| places[edge as usize]).collect();
+        [&tree.nodes, &tree.leaf_starts, &searched].map(|words| {
+            let at = self.words.len() as u32;
+            self.words.extend(words);
+            at
+        })
     }
 
     /// Adds the windows of area emitters, and returns where the list of all emitters' is.

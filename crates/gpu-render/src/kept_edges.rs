@@ -4,8 +4,6 @@ use std::ops::Range;
 
 use capwalk_geometry::sampler_buffers::{NODE, NONE, SamplerBuffers};
 
-use crate::layout::limit::LONGEST_WAY;
-
 /// The most edges in a leaf. Also where creases count, of which the sampler has fewer: what one list has
 /// is sampled better than what is in several.
 pub const LEAF: usize = 32;
@@ -41,7 +39,7 @@ impl KeptEdges {
         if tree.edges.is_empty() {
             return None;
         }
-        tree.add(buffers.nodes.as_chunks::<NODE>().0, 0, 1);
+        tree.add(buffers.nodes.as_chunks::<NODE>().0, 0);
         Some(tree)
     }
 
@@ -51,9 +49,8 @@ impl KeptEdges {
         leaves.count()
     }
 
-    /// Adds what is kept of a node, which is something, at this level, and returns its number.
-    fn add(&mut self, nodes: &[[u32; NODE]], source: usize, level: usize) -> usize {
-        assert!(level <= LONGEST_WAY, "walks cannot hold so many levels");
+    /// Adds what is kept of a node, which is something, and returns its number.
+    fn add(&mut self, nodes: &[[u32; NODE]], source: usize) -> usize {
         let [first, second, ..] = nodes[source];
         let edges = self.kept(&nodes[source]);
         let is_leaf = first == NONE || edges.len() <= LEAF;
@@ -62,7 +59,7 @@ impl KeptEdges {
             // Where all that is kept is in one half, that stands for the node.
             for [empty, other] in [halves, [halves[1], halves[0]]] {
                 if self.kept(&nodes[empty]).is_empty() {
-                    return self.add(nodes, other, level);
+                    return self.add(nodes, other);
                 }
             }
         }
@@ -74,7 +71,7 @@ impl KeptEdges {
             edges,
         });
         if !is_leaf {
-            let [_, second] = halves.map(|half| self.add(nodes, half, level + 1));
+            let [_, second] = halves.map(|half| self.add(nodes, half));
             self.nodes[number].second = Some(second);
         }
         self.nodes[number].end = self.nodes.len();

@@ -1,9 +1,10 @@
 //! What the CPU writes and the kernels read: kinds, which word of a record is what, and limits of both. Declared
 //! once, here; the kernels include it as `layout.slang`, which `cargo xtask kernels` writes.
 
-use capwalk_boundary::{Field, Gathers, MANY_CORNERS, MAX_EVENTS, PARALLEL};
+use capwalk_boundary::{Field, GOLDEN, Gathers, MANY_CORNERS, MAX_EVENTS, MIXERS, PARALLEL};
 use capwalk_gpu::slang_constants;
 use capwalk_math::frame::POINTS_DOWN;
+use capwalk_math::rgb::LUMINANCE;
 use capwalk_render::constants::*;
 use capwalk_scene::lobe as lobes;
 
@@ -183,17 +184,21 @@ slang_constants! {
     /// Words of the header of edges: where the trees of silhouettes and of all edges are (`NONE` if not needed), then those of
     /// the edges among them that move, which of the two has the edges before area emitters, and where the windows of emitters
     /// are; of walks the first random number at the vertex that the camera sees, how many each vertex has, and in how many mirrors
-    /// edges count; and of how many leaves before an emitter a launch looks at the edges, and how many points it takes there at most.
+    /// edges count; of how many leaves before an emitter a launch looks at the edges, and how many points it takes there at most; and
+    /// of the tree that walks search (`SilhouetteBuffers`) where its nodes, the starts of its leaves, and for each of its edges the
+    /// place among all edges are.
     edges {
         SILHOUETTES = 0, ALL_EDGES = 1, OF_MOVING = 2, BEFORE_EMITTERS = 4, WINDOWS = 5,
-        FIRST_WALK = 6, WALK_NUMBERS = 7, MIRRORS = 8, MOST_LEAVES = 9, MOST_POINTS = 10, EDGES_HEADER = 11,
+        FIRST_WALK = 6, WALK_NUMBERS = 7, MIRRORS = 8, MOST_LEAVES = 9, MOST_POINTS = 10,
+        SEARCHED_NODES = 11, SEARCHED_LEAVES = 12, SEARCHED_EDGES = 13, EDGES_HEADER = 14,
     }
 
     /// Numbers of edges behind those of the tests: within this fraction of all coordinates a point is in a plane; of how far the
     /// world's origin is away, local units; what of an edge is outside of a window by less than this, over its distance, is inside;
-    /// the angle between an edge and the rays beside it; the tangents of half the largest angle of a cap, and of twice as much.
+    /// the angle between an edge and the rays beside it; the tangents of half the largest angle of a cap, and of twice as much;
+    /// and the frame of the tree that walks search: its centre, and its units per local unit.
     edge_tests {
-        ON_PLANE = 0, AWAY = 1, IN_PLANE = 2, BESIDE = 3, CAP = 4, TWICE_CAP = 5,
+        ON_PLANE = 0, AWAY = 1, IN_PLANE = 2, BESIDE = 3, CAP = 4, TWICE_CAP = 5, SEARCHED_CENTRE = 6, SEARCHED_SCALE = 9,
     }
 
     /// Words of a node: its second half (the first one is the next node), or `NONE` in a leaf, the node after all that are below
@@ -232,21 +237,32 @@ slang_constants! {
         PURPOSE_NUMBERS = EDGE_NUMBERS as usize,
     }
 
+    /// The increment and the factors of the random numbers, each in two words, the lower one first.
+    split_mix {
+        INCREMENT = GOLDEN as u32 as usize, INCREMENT_HIGH = (GOLDEN >> 32) as usize,
+        FIRST_FACTOR = MIXERS[0] as u32 as usize, FIRST_FACTOR_HIGH = (MIXERS[0] >> 32) as usize,
+        SECOND_FACTOR = MIXERS[1] as u32 as usize, SECOND_FACTOR_HIGH = (MIXERS[1] >> 32) as usize,
+    }
+
     /// Corners of a window at most; more emitters are chosen alike; and one of so many directions to an environment map is drawn
     /// uniformly.
     many {
         WINDOW_CORNERS = MANY_CORNERS, MANY = MANY_EMITTERS, SKY_PARTS = (1.0 / UNIFORM_SKY) as usize,
     }
 
-    /// Most mirrors between a vertex and an edge; and most nodes that wait on the way down a tree of edges: those from the 60th
-    /// on have halves of equally many edges (`divide` of `capwalk-boundary`).
+    /// Most mirrors between a vertex and an edge.
     limit {
-        MOST_MIRRORS = MAX_EVENTS as usize, LONGEST_WAY = 92,
+        MOST_MIRRORS = MAX_EVENTS as usize,
     }
 }
 
 slang_constants! {
     fn numbers: f64, "static const float {} = {:e};\n";
+
+    /// Shares of the channels in the luminance.
+    luminance {
+        RED_SHARE = LUMINANCE.r, GREEN_SHARE = LUMINANCE.g, BLUE_SHARE = LUMINANCE.b,
+    }
 
     /// The frame around a normal turns over where its z passes this.
     frame {

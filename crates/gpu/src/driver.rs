@@ -54,14 +54,6 @@ impl Driver {
         }
     }
 
-    /// True if threads can exchange numbers without memory.
-    pub fn has_exchange(&self) -> bool {
-        match self {
-            Self::Wgpu(driver) => driver.has_exchange(),
-            Self::Cuda(_) => true,
-        }
-    }
-
     /// Gives the device up.
     pub fn destroy(&self) {
         match self {

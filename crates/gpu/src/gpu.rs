@@ -1,16 +1,15 @@
 //! The device that everything runs on, chosen once.
 
 use std::collections::BTreeMap;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
 
-use crate::compiled_kernel::{CompiledKernel, GROUP};
+use crate::compiled_kernel::CompiledKernel;
 use crate::copies::Copies;
 use crate::cuda_driver::CudaDriver;
 use crate::driver::{Driver, Memory};
 use crate::error::GpuError;
-use crate::kernels::EIGHTS;
 use crate::launch::{ARRAYS, Fault, Launch, locked};
 use crate::precision::Precision;
 use crate::wgpu_driver::WgpuDriver;
@@ -81,8 +80,6 @@ pub struct Gpu {
     /// Larger pieces of memory are refused.
     memory: AtomicU64,
     copies: Mutex<Copies>,
-    /// True if the eight threads of a cone are neighbours.
-    eights: OnceLock<bool>,
 }
 
 impl Gpu {
@@ -98,7 +95,6 @@ impl Gpu {
             busy: AtomicU64::new(0),
             memory: AtomicU64::new(u64::MAX),
             copies: Mutex::default(),
-            eights: OnceLock::new(),
         })
     }
 
@@ -156,42 +152,6 @@ impl Gpu {
     /// An error if the device is lost.
     pub fn check(&self) -> Result<(), GpuError> {
         self.driver.check().map_err(|fault| self.error(fault, 0))
-    }
-
-    /// An error if cones cannot be asked: threads exchange nothing, or run in step in fewer
-    /// than eight, or are not counted as they run.
-    pub(crate) fn check_eights(&self) -> Result<(), GpuError> {
-        if !self.driver.has_exchange() || !self.has_eights()? {
-            return Err(GpuError::Unusable {
-                adapter: self.name().to_owned(),
-                reason: "its threads do not run in step in eights, which cones need (rays do not)"
-                    .to_owned(),
-            });
-        }
-        Ok(())
-    }
-
-    /// Found out by a launch, once: what drivers say of it is often a guess.
-    fn has_eights(&self) -> Result<bool, GpuError> {
-        if let Some(&known) = self.eights.get() {
-            return Ok(known);
-        }
-        let threads = 4 * GROUP;
-        let [read, answers, values] = [(); 3].map(|()| self.allocate(4 * threads as u64));
-        let (read, answers, values) = (read?, answers?, values?);
-        let arrays = [&read, &read, &read, &read, &read, &read, &answers, &values];
-        let whole = Launch {
-            first: 0,
-            end: threads as u32,
-            capacity: 0,
-            primitives: 0,
-        };
-        self.run(&EIGHTS, arrays, whole)?;
-        let mut right = vec![0_u32; threads];
-        self.download(&answers, bytemuck::cast_slice_mut(&mut right))?;
-        Ok(*self
-            .eights
-            .get_or_init(|| right.iter().all(|&right| right == 8)))
     }
 
     /// A new piece of memory with undefined content.

@@ -12,15 +12,13 @@ pub fn pack() -> &'static KernelPack {
     &PACK
 }
 
-// Cones have eight threads each, children of nodes a group.
+// Children of nodes have a group of threads each.
 compiled_kernels! {
     pack:
     FIRST_HIT = "first_hit" of GROUP,
     OCCLUDED = "occluded" of GROUP,
-    CLOSEST = "closest" of GROUP / 8,
-    GATHER = "gather" of GROUP / 8,
-    /// Tells whether cones can be asked at all.
-    EIGHTS = "eights" of GROUP,
+    CLOSEST = "closest" of GROUP,
+    GATHER = "gather" of GROUP,
     /// Triangles and edges at new positions.
     MOVED_TRIANGLES = "moved_triangles" of GROUP,
     MOVED_EDGES = "moved_edges" of GROUP,

@@ -83,10 +83,23 @@ slang_constants! {
     }
 }
 
+slang_constants! {
+    fn numbers: f64, "static const float {} = {:e};\n";
+
+    /// Error of positions in a tree's coordinates, and of what kernels compute from them for the bounds of edges, per unit of distance
+    /// from the viewpoint: sums of some thirty terms of at most that size, each rounded by at most 2⁻²⁴, among them those of the bounds
+    /// as they are stored. Components of a ray's direction that are slower than this, relative to the fastest, are rounded to it, which
+    /// keeps their inverses finite and moves no point within the tree by more than twice as much.
+    margin {
+        POSITION_MARGIN = 1.0 / (1 << 18) as f64, SLOWEST = capwalk_geometry::ray::SLOWEST,
+    }
+}
+
 /// `arrays.slang`.
 pub fn slang() -> String {
     format!(
-        "// `layout.rs` of `capwalk-gpu` as Slang.\n{}",
-        whole_numbers()
+        "// `layout.rs` of `capwalk-gpu` as Slang.\n{}{}",
+        whole_numbers(),
+        numbers()
     )
 }

@@ -8,13 +8,9 @@ use capwalk_geometry::{ConeQuery, EdgeSelection, LocalFrame};
 use capwalk_math::Vec3;
 
 use crate::layout::cone::*;
+use crate::layout::margin::POSITION_MARGIN;
 use crate::local_ray::round_up;
 use crate::precision::Precision;
-
-/// Error of positions in local coordinates, and of what kernels compute from them, per
-/// local unit of distance from the apex: sums of some thirty terms of at most that size,
-/// each rounded by at most 2⁻²⁴, among them those of the bounds as they are stored.
-const POSITION_MARGIN: f64 = 1.0 / (1 << 18) as f64;
 
 /// By how much single precision moves what edges are tested with, per unit of `|x| + |y| +
 /// |z| + 3`, where these are the viewpoint's coordinates in the tree's frame: about its

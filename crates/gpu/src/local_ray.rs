@@ -1,28 +1,15 @@
 //! A ray as the kernels read it: in the tree's coordinates for boxes, in those of the
 //! test's precision for triangles.
 
-use capwalk_geometry::ray::{EDGE_ON, RayShear};
+use capwalk_geometry::ray::{EDGE_ON, ORIGIN_MARGIN, PLANE_MARGIN, RayShear, SLOWEST};
 use capwalk_geometry::{LocalFrame, Ray};
 
 use crate::layout::ray::*;
 use crate::precision::Precision;
 
-/// What single precision may add up to between a plane of a box and the distance at
-/// which the ray crosses it, as a displacement of the plane in local units. There are
-/// eight roundings of at most 2⁻²⁴ of numbers of about 1, none of a division.
-const PLANE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
-
-/// This displacement for double precision, per local unit between the tree and the ray's origin.
-const ORIGIN_MARGIN: f64 = 1.0 / (1_u64 << 46) as f64;
-
 /// How far triangles tested in single precision may lie from where they are, and the ray
 /// as well, local units: their margin of boxes.
 const SINGLE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
-
-/// Slower components of the direction (relative to the fastest) are rounded to this,
-/// which keeps their inverses finite and moves no point within the tree by more than
-/// twice as much.
-const SLOWEST: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// [`EDGE_ON`] in single precision.
 const EDGE_ON_SINGLE: f64 = 1.0 / (1 << 21) as f64;

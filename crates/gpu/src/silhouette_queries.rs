@@ -53,9 +53,8 @@ impl Gathered {
 }
 
 impl DeviceSilhouetteTree {
-    /// Uploads the tree. [`GpuError::Unusable`] where threads do not run in step in eights.
+    /// Uploads the tree.
     pub fn new(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Result<Self, GpuError> {
-        gpu.check_eights()?;
         let buffers = tree.buffers();
         let local = buffers.local_edges();
         let tree = Resident::new(

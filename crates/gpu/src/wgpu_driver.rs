@@ -64,11 +64,10 @@ impl WgpuDriver {
         };
         let request = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("capwalk"),
-            required_features: (adapter.features() & wgpu::Features::SUBGROUP)
-                | match precision {
-                    Precision::Single => wgpu::Features::empty(),
-                    Precision::Double => wgpu::Features::SHADER_F64,
-                },
+            required_features: match precision {
+                Precision::Single => wgpu::Features::empty(),
+                Precision::Double => wgpu::Features::SHADER_F64,
+            },
             required_limits: limits.clone(),
             ..Default::default()
         });
@@ -114,11 +113,6 @@ impl WgpuDriver {
 
     pub fn largest(&self) -> u64 {
         self.largest
-    }
-
-    /// True if threads can exchange numbers without memory.
-    pub fn has_exchange(&self) -> bool {
-        self.device.features().contains(wgpu::Features::SUBGROUP)
     }
 
     pub fn destroy(&self) {

@@ -48,7 +48,7 @@ impl<R> Rgb<R> {
 }
 
 /// Share of each channel in the luminance of linear sRGB, as Mitsuba and pbrt round it.
-const LUMINANCE: Rgb = Rgb::new(0.212671, 0.715160, 0.072169);
+pub const LUMINANCE: Rgb = Rgb::new(0.212671, 0.715160, 0.072169);
 
 impl<R: Real> Rgb<R> {
     /// Grey: one number in all channels.

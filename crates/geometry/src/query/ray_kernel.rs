@@ -7,7 +7,7 @@ use crate::aabb::{Aabb, round_up};
 use crate::bvh::{Child, WIDTH};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
-use crate::ray::{EDGE_ON, Hit, Ray, RayShear};
+use crate::ray::{EDGE_ON, Hit, ORIGIN_MARGIN, PLANE_MARGIN, Ray, RayShear, SLOWEST};
 use crate::simd::{F32x8, F64x4, Lanes, Simd};
 
 /// Triangles in a leaf.
@@ -156,23 +156,6 @@ impl TriangleBlock {
         }
     }
 }
-
-/// What single precision may add up to between a plane of a box and the
-/// distance at which the ray crosses it, as a displacement of the plane in
-/// local units. All coordinates are below 1 or so, and there are eight
-/// roundings of at most 2⁻²⁴: of the start, its product with the inverse
-/// direction, the inverse (twice its share, for distances up to 2), the
-/// product, and the sums.
-const PLANE_MARGIN: f64 = 1.0 / (1 << 20) as f64;
-
-/// This displacement for double precision, per local unit between the tree and the
-/// ray's origin.
-const ORIGIN_MARGIN: f64 = 1.0 / (1_u64 << 46) as f64;
-
-/// Slower components of the direction (relative to the fastest) are rounded
-/// to this, which moves no point of the ray within the tree by more than twice
-/// as much. Keeps their inverses finite.
-const SLOWEST: f64 = 1.0 / (1_u64 << 60) as f64;
 
 /// A ray in the coordinates of a tree. It starts where it enters the tree, so
 /// that all numbers are about 1 however far its origin is, and its distances

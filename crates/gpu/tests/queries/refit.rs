@@ -10,7 +10,7 @@ use capwalk_math::Vec3;
 use super::adapter;
 use super::meshes::{self, Placed, Random};
 use super::rays;
-use super::silhouettes::{check, cones, edges_of, on_device};
+use super::silhouettes::{check, cones, edges_of};
 
 /// Rays and cones after each motion.
 const QUERIES: usize = 40;
@@ -106,9 +106,7 @@ fn cones_follow() {
         for original in some() {
             let edges = edges_of(&original.mesh);
             let mut tree = SilhouetteTree::build(&original.mesh, &edges);
-            let Some(mut device) = on_device(gpu, &tree) else {
-                return;
-            };
+            let mut device = DeviceSilhouetteTree::new(gpu, &tree).expect("enough memory");
             for moved in motions(&original, &mut random) {
                 tree.refit(&moved.mesh);
                 device.refit(&moved.mesh).expect("the same mesh");
@@ -162,9 +160,7 @@ fn other_meshes_are_refused() {
         SilhouetteTree::build(&original.mesh, &edges),
     );
     let mut ray_device = DeviceRayTree::new(&gpu, &ray_tree).expect("enough memory");
-    let Some(mut edge_device) = on_device(&gpu, &edge_tree) else {
-        return;
-    };
+    let mut edge_device = DeviceSilhouetteTree::new(&gpu, &edge_tree).expect("enough memory");
     let hits = ray_device.first_hits(&rays).expect("answers");
     let points = edge_device.closest(&some).expect("answers");
     let mesh = &original.mesh;

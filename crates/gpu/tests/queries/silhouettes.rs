@@ -1,13 +1,12 @@
 //! Cones on the device against brute force.
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 
 use capwalk_geometry::edge::{Edge, ON_PLANE, Sides, closest_direction};
 use capwalk_geometry::{
     ConeQuery, EdgeSelection, HalfSpace, Mesh, SilhouettePoint, SilhouetteTree, oracle, topology,
 };
-use capwalk_gpu::{DeviceSilhouetteTree, Gpu, GpuError, Precision, SINGLE_ERROR};
+use capwalk_gpu::{DeviceSilhouetteTree, Gpu, Precision, SINGLE_ERROR};
 use capwalk_math::Vec3;
 
 use super::adapter;
@@ -229,18 +228,6 @@ fn check_gathered(
     Ok(())
 }
 
-/// The tree on the device; `None`, after a note, where cones cannot be asked.
-pub fn on_device(gpu: &Arc<Gpu>, tree: &SilhouetteTree) -> Option<DeviceSilhouetteTree> {
-    match DeviceSilhouetteTree::new(gpu, tree) {
-        Ok(tree) => Some(tree),
-        Err(error @ GpuError::Unusable { .. }) => {
-            adapter::skip(&error.to_string());
-            None
-        }
-        Err(error) => panic!("{error}"),
-    }
-}
-
 /// Compares the answers with brute force, and returns how many silhouettes are found, and how
 /// many of them are those of brute force to the last bit. `tree` is what the device's should be.
 pub fn check(
@@ -296,9 +283,7 @@ fn cones_find_what_brute_force_finds() {
         for mut placed in meshes::all() {
             let edges = edges_of(&placed.mesh);
             let mut tree = SilhouetteTree::build(&placed.mesh, &edges);
-            let Some(mut device) = on_device(gpu, &tree) else {
-                return;
-            };
+            let mut device = DeviceSilhouetteTree::new(gpu, &tree).expect("enough memory");
             let some = cones(&placed, &mut random, CONES);
             let first = check(gpu, &placed, &edges, &tree, &device, &some);
             for p in &mut placed.mesh.positions {
@@ -359,9 +344,7 @@ fn far_apexes() {
                 });
             }
         }
-        let Some(device) = on_device(gpu, &tree) else {
-            return;
-        };
+        let device = DeviceSilhouetteTree::new(gpu, &tree).expect("enough memory");
         let [found, _] = check(gpu, &placed, &edges, &tree, &device, &far);
         assert!(found > far.len() / 2, "{found} of {} cones", far.len());
     });
@@ -375,9 +358,7 @@ fn batches_of_any_size() {
         let placed = meshes::all().swap_remove(0);
         let edges = edges_of(&placed.mesh);
         let tree = SilhouetteTree::build(&placed.mesh, &edges);
-        let Some(device) = on_device(gpu, &tree) else {
-            return;
-        };
+        let device = DeviceSilhouetteTree::new(gpu, &tree).expect("enough memory");
         let many = cones(&placed, &mut random, 9_000);
         let whole = device.closest(&many).expect("answers");
         for count in [0, 1, 63, 64, 65, 1000] {
@@ -410,9 +391,7 @@ fn batches_of_any_size() {
 fn empty_tree() {
     adapter::each(|gpu| {
         let tree = SilhouetteTree::build(&Mesh::default(), &[]);
-        let Some(device) = on_device(gpu, &tree) else {
-            return;
-        };
+        let device = DeviceSilhouetteTree::new(gpu, &tree).expect("enough memory");
         let query = ConeQuery {
             apex: Vec3::zero(),
             axis: Vec3::new(0.0, 0.0, 1.0),
