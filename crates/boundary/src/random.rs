@@ -141,6 +141,15 @@ impl<const N: usize> Streams<N> {
         }
     }
 
+    /// The number of a dimension in one of them, [`Stream::number`].
+    #[inline]
+    pub fn number(&self, sample: usize, dimension: u32) -> f64 {
+        match self.sobol {
+            Some(points) if dimension < SOBOL_DIMENSIONS => sobol(points[sample], dimension),
+            _ => independent(self.keys[sample], dimension),
+        }
+    }
+
     /// The number of a dimension in each that has its bit in `asked`, [`Stream::number`]; anything
     /// in the others. Independent ones are made in a loop without a branch, of which the compiler
     /// makes vectors; Sobol's one by one.

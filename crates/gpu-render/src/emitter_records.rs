@@ -86,8 +86,9 @@ fn local(frame: &LocalFrame, point: Vec3) -> [u32; 3] {
     frame.local_from_world(point).to_array().map(float)
 }
 
-fn add_rectangle(rectangle: &RectangleSampler, frame: &LocalFrame, words: &mut Vec<u32>) -> u32 {
+fn add_rectangle(sampler: &RectangleSampler, frame: &LocalFrame, words: &mut Vec<u32>) -> u32 {
     let at = words.len() as u32;
+    let rectangle = &sampler.rectangle;
     words.extend(local(frame, rectangle.corner));
     for v in rectangle.sides.into_iter().chain([rectangle.normal]) {
         words.extend(v.to_array().map(float));
@@ -97,7 +98,7 @@ fn add_rectangle(rectangle: &RectangleSampler, frame: &LocalFrame, words: &mut V
             .lengths
             .map(|length| float(length * frame.inverse_scale)),
     );
-    for [c, a, b] in rectangle.weights.into_iter().flatten() {
+    for [c, a, b] in sampler.weights.into_iter().flatten() {
         words.extend([c, a * frame.scale, b * frame.scale].map(float));
     }
     at

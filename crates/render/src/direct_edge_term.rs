@@ -34,10 +34,13 @@ impl Tracer<'_> {
         }
         // Choose one of them.
         let dimension = EDGE_NUMBERS + NUMBERS * (depth + 1);
-        let choice =
-            EmitterChoice::by_light(self.accel, self.emitters, vertex, emitters.len(), |i| {
-                emitters[i].emitter
-            });
+        let choice = EmitterChoice::by_light(
+            self.accel,
+            self.emitters,
+            &vertex.receiver(),
+            emitters.len(),
+            |i| emitters[i].emitter,
+        );
         let Some((chosen, probability)) = choice.choose(draw.stream.number(dimension)) else {
             return Rgb::zero();
         };

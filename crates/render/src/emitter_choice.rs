@@ -6,7 +6,7 @@ use capwalk_geometry::add_effort;
 use capwalk_scene::EmitterId;
 
 use crate::emitter_sampler::EmitterSampler;
-use crate::vertex::Vertex;
+use crate::receiver::Receiver;
 
 /// Share of the choices that do not depend on how bright emitters are: the brightest one may be
 /// hidden. So none that can light the point is chosen less than half as often as if all were
@@ -37,7 +37,7 @@ impl EmitterChoice {
     pub fn by_light(
         accel: &Accel,
         samplers: &[EmitterSampler],
-        vertex: &Vertex<f64>,
+        receiver: &Receiver,
         count: usize,
         emitter: impl Fn(usize) -> EmitterId,
     ) -> Self {
@@ -51,7 +51,7 @@ impl EmitterChoice {
         for i in 0..count {
             let id = emitter(i);
             let sampler = &samplers[id.0 as usize];
-            let view = sampler.view(accel, id, vertex);
+            let view = sampler.view(accel, id, receiver);
             light[i] = view * sampler.brightness;
             can_light[i] = f64::from(view > 0.0);
         }
@@ -173,10 +173,13 @@ mod tests {
         let eval = Primal(accel);
         let surface = surface_at(&eval, accel, &hit, origin, down);
         let vertex = vertex_at(&eval, accel, &surface, down).expect("diffuse");
-        let choice =
-            EmitterChoice::by_light(accel, prepared.emitters(), &vertex, emitters.len(), |i| {
-                EmitterId(i as u32)
-            });
+        let choice = EmitterChoice::by_light(
+            accel,
+            prepared.emitters(),
+            &vertex.receiver(),
+            emitters.len(),
+            |i| EmitterId(i as u32),
+        );
         let probabilities: Vec<f64> = (0..emitters.len()).map(|i| choice.probability(i)).collect();
         assert!((probabilities.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         let least = UNIFORM / 4.0;

@@ -6,8 +6,8 @@ use capwalk_boundary::Accel;
 use capwalk_scene::emitter::EnvironmentTable;
 use capwalk_scene::{Emitter, EmitterId, Pattern, Scene, Texture};
 
+use crate::receiver::Receiver;
 use crate::triangle_sampler::TriangleSampler;
-use crate::vertex::Vertex;
 
 /// How an emitter is sampled.
 #[derive(Clone, Debug)]
@@ -55,18 +55,18 @@ impl EmitterSampler {
 
     /// About how much light arrives at a shading point, over [`Self::brightness`], if nothing is
     /// in between; 0 only if none can, whatever it emits. `id` is that of the emitter.
-    pub fn view(&self, accel: &Accel, id: EmitterId, vertex: &Vertex<f64>) -> f64 {
-        let position = vertex.position;
+    pub fn view(&self, accel: &Accel, id: EmitterId, receiver: &Receiver) -> f64 {
+        let position = receiver.position;
         match &self.directions {
             DirectionSampler::Area(triangles) => {
                 let (centre, radius) = triangles.ball();
-                triangles.solid_angle(position) * vertex.largest_cosine(centre, radius)
+                triangles.solid_angle(position) * receiver.largest_cosine(centre, radius)
             }
             DirectionSampler::Constant | DirectionSampler::Environment(_) => PI,
             DirectionSampler::Delta => {
                 let light = accel.delta_light(id, position);
                 light.map_or(0.0, |light| {
-                    light.factor * vertex.largest_cosine(position + light.direction, 0.0)
+                    light.factor * receiver.largest_cosine(position + light.direction, 0.0)
                 })
             }
         }

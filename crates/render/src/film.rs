@@ -259,7 +259,7 @@ impl Tracer<'_> {
 }
 
 /// A uniform point of the unit disk.
-fn uniform_disk(u: [f64; 2]) -> [f64; 2] {
+pub fn uniform_disk(u: [f64; 2]) -> [f64; 2] {
     let (sin, cos) = (2.0 * PI * u[1]).sin_cos();
     [cos, sin].map(|x| x * u[0].sqrt())
 }

@@ -114,7 +114,7 @@ mod tests {
                 let towards = around.to_world(sphere::sample_cap(reach, [x, y]));
                 let angle = 0.01 * 100f64.powf(z);
                 let (centre, radius) = (vertex.position + towards * 3.0, 3.0 * angle.sin());
-                let cosine = vertex.largest_cosine(centre, radius);
+                let cosine = vertex.receiver().largest_cosine(centre, radius);
                 let found = highlight.largest(&vertex, centre, radius, cosine);
                 let around = Frame::from_normal(towards);
                 let largest = (0..2000)

@@ -1,18 +1,21 @@
-//! Sixteen samples of the primal image at a time, where scenes allow it: all light comes from one
-//! rectangle, and what surfaces do to it is the same all over them, but for textures of what is
-//! diffuse.
+//! Sixteen samples of a primal image at a time.
 //!
 //! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
-//! compares them one by one. (But the rectangle is always sampled by solid angle, also where it is
-//! seen under less than a millionth of a steradian.) Rays come in packets, whose arithmetic is in
-//! single precision ([`PacketTree`]); points on the emitter, diffuse surfaces, rough metal and rough
-//! plastic in loops over the lanes without a branch, of which the compiler makes vectors; other lobes
-//! one by one, but for their frames. A ray that passes an edge within a millionth of the scene may
-//! find another face than it does there. Scenes in which that could be seen are left to the tracer:
-//! with thin faces, surfaces close to each other, or a camera so near that it is more than two
-//! thousandths of a pixel ([`PacketTree::resolves`], [`NEAREST`]).
+//! compares them one by one. (But rectangles are always sampled by solid angle, also where they are
+//! seen under less than a millionth of a steradian.) Paths advance together, stage by stage: rays,
+//! surfaces, directions towards emitters, directions drawn from the surfaces. Points on rectangles,
+//! diffuse surfaces, rough metal and rough plastic are evaluated in loops over the lanes without a
+//! branch, of which the compiler makes vectors; other emitters and lobes one by one, by the functions
+//! that [`Tracer`] calls.
+//!
+//! In scenes of few faces rays come in packets, whose arithmetic is in single precision
+//! ([`capwalk_geometry::PacketTree`]): a ray that passes an edge within a millionth of the scene may
+//! find another face than it does in [`Tracer`]. Scenes in which that could be seen have single rays,
+//! which find the same: those with thin faces, surfaces close to each other, or a camera so near that
+//! it is more than two thousandths of a pixel.
 
 mod frames;
+mod lights;
 mod lobes;
 mod rays;
 mod rough;
@@ -23,32 +26,28 @@ mod tests;
 mod vectors;
 
 use capwalk_boundary::{Accel, Stream, Streams};
-use capwalk_geometry::PacketTree;
-use capwalk_math::Rgb;
+use capwalk_geometry::simd::Instructions;
+use capwalk_math::{Rgb, Vec3};
+use capwalk_scene::EmitterId;
+use capwalk_scene::sensor::view::View;
 
-use crate::film::FILM;
+use crate::film::{FILM, uniform_disk};
+use crate::light::power_heuristic;
 use crate::pixel::Supports;
-use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, Plan};
+use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS, Plan};
 use crate::prepared::PreparedScene;
 use crate::radiance::RR_MAX;
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
+use lights::{LaneChoices, LaneLights, Lit};
 use lobes::LaneLobes;
-use rays::{ALL_BEHIND, LaneRays};
+use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING};
-use step::{Brdf, Lit, Vertices};
-use vectors::{LANES, Vectors, lanes_of, mask_of};
+use step::{Brdf, Vertices};
+use vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
-/// In scenes of more triangles, rays that were reflected at random have little in common.
-const MOST_FACES: usize = 1024;
-
-/// What lies in a plane is at most this part of a pixel where the nearest surface may be.
-const NEAREST: f64 = 2e-3;
-
-/// The effort of a sample besides its rays, and how many levels of the tree take a ray an effort of
-/// one: measured on a diffuse room of 36 triangles when there were eight lanes.
+/// The effort of a sample besides its rays.
 const EFFORT_OF_LANE: u64 = 10;
-const LEVELS_PER_EFFORT: u64 = 3;
 
 /// Takes samples of the pixels of a scene, sixteen at a time.
 pub struct LaneTracer<'a> {
@@ -56,8 +55,9 @@ pub struct LaneTracer<'a> {
     supports: Supports,
     plan: Plan,
     scene: LaneScene<'a>,
-    packets: PacketTree,
-    levels: u64,
+    lights: LaneLights<'a>,
+    meets: Meets<'a>,
+    instructions: Instructions,
 }
 
 /// Sixteen paths.
@@ -68,7 +68,8 @@ struct Paths<'a> {
     vertices: Vertices,
     /// What scatters light there, if it is not diffuse.
     lobes: LaneLobes<'a>,
-    /// Points on the emitter, and directions drawn from the surfaces.
+    /// Directions towards emitters, and directions drawn from the surfaces.
+    choices: LaneChoices,
     lit: Lit,
     drawn: Brdf,
     /// What they hit, or [`NOTHING`].
@@ -86,39 +87,35 @@ impl Paths<'_> {
             throughput: Vectors::ZERO,
             vertices: Vertices::NONE,
             lobes: LaneLobes::new(),
+            choices: LaneChoices::new(),
             lit: Lit::default(),
             drawn: Brdf::default(),
             faces: [NOTHING; LANES],
             rays: [0; LANES],
         }
     }
+
+    /// Counts a ray of some lanes.
+    fn count_rays(&mut self, lanes: u32) {
+        lanes_of(lanes).for_each(|lane| self.rays[lane] += 1);
+    }
 }
 
 impl<'a> LaneTracer<'a> {
-    /// A tracer that does the same as another one; `None` if the scene does not allow it.
+    /// A tracer that does the same as another one; `None` if that does more than images of light.
     pub fn like(tracer: &Tracer<'a>, prepared: &'a PreparedScene) -> Option<Self> {
         let (accel, plan) = (tracer.accel, tracer.plan);
-        let sampling = plan.sampling;
         let is_plain = plan.aov.is_none()
             && tracer.leaves_out == LeavesOut::Nothing
-            && tracer.moving.is_none()
-            && (sampling.emitter_samples, sampling.bsdf_samples) == (1, 1)
-            && !accel.scene.sensor.model.has_lens()
-            && !accel.view.is_parallel()
-            && !accel.has_flush_emitters()
-            && accel.mesh.faces.len() <= MOST_FACES;
-        let scene = is_plain.then(|| LaneScene::of(prepared))??;
-        let packets = PacketTree::new(accel.rays(), &accel.mesh);
-        let pixel = NEAREST * accel.view.pixel_size() * scene.distance(accel.view.origin);
-        let is_resolved = packets.in_plane() <= pixel && packets.resolves(&accel.mesh);
-        let faces = accel.mesh.faces.len();
-        is_resolved.then(|| Self {
+            && tracer.moving.is_none();
+        is_plain.then(|| Self {
             accel,
             supports: Supports::new(&accel.scene.film),
             plan,
-            scene,
-            packets,
-            levels: u64::from(faces.max(1).ilog2() + 2),
+            scene: LaneScene::new(accel),
+            lights: LaneLights::new(prepared, plan.sampling),
+            meets: Meets::new(accel),
+            instructions: Instructions::detect(),
         })
     }
 
@@ -130,24 +127,23 @@ impl<'a> LaneTracer<'a> {
         // Reused: most of it is written anew where it is needed.
         let mut paths = Paths::new(first.stream);
         for places in places.chunks(LANES) {
-            self.take_packet(places, &mut paths, taken);
+            self.take_some(places, &mut paths, taken);
         }
     }
 
-    fn take_packet<'s>(
+    fn take_some<'s>(
         &'s self,
         places: &[SamplePlace],
         paths: &mut Paths<'s>,
         taken: &mut Vec<Sample<3>>,
     ) {
         // Samples of the film, and the camera's rays through them.
-        let instructions = self.packets.instructions();
         for (lane, place) in places.iter().enumerate() {
             paths.streams.set(lane, place.stream);
         }
         let mut film = [[0.0; LANES]; 2];
         let mask = (1 << places.len()) - 1;
-        instructions.run(step::RandomNumbers {
+        self.instructions.run(step::RandomNumbers {
             streams: &paths.streams,
             first: FILM,
             lanes: mask,
@@ -160,48 +156,84 @@ impl<'a> LaneTracer<'a> {
             (film[0][lane], film[1][lane]) = (s[0], s[1]);
             weights[lane] = support.weight_over_pdf(s);
         }
-        let mut range = ALL_BEHIND;
-        instructions.run(step::FilmRays {
-            view: &self.accel.view,
-            film: &film,
-            vertices: &mut paths.vertices,
-            range: &mut range,
-        });
+        let range = self.set_camera_rays(paths, &film, mask);
         paths.light = Vectors::ZERO;
         paths.throughput = Vectors::splat([1.0; 3]);
         let rays = LaneRays {
             origin: &paths.vertices.origin,
             direction: &paths.vertices.direction,
             range: &range,
+            from_surfaces: false,
             mask,
         };
-        paths.faces = rays.first_hits(&self.packets);
+        paths.faces = self.meets.first_hits(&rays);
         paths.rays = [1; LANES];
         self.add_seen(paths, mask);
         self.reflect(paths, mask);
         taken.extend((0..places.len()).map(|lane| Sample {
             numbers: (paths.light.colour(lane) * weights[lane]).to_array(),
-            effort: EFFORT_OF_LANE + paths.rays[lane] * self.levels / LEVELS_PER_EFFORT,
+            effort: EFFORT_OF_LANE + self.meets.effort(paths.rays[lane]),
             ..Sample::default()
         }));
     }
 
-    /// Adds what the camera sees of the emitter.
+    /// Sets the camera's rays, and gives the distances between which they meet something.
+    fn set_camera_rays(
+        &self,
+        paths: &mut Paths<'_>,
+        film: &[Numbers; 2],
+        mask: u32,
+    ) -> [Numbers; 2] {
+        let mut range = ALL_BEHIND;
+        let scene = &self.accel.scene;
+        if !scene.sensor.model.has_lens() {
+            self.instructions.run(step::FilmRays {
+                view: &self.accel.view,
+                film,
+                vertices: &mut paths.vertices,
+                range: &mut range,
+            });
+            return range;
+        }
+        for lane in lanes_of(mask) {
+            let lens = uniform_disk([0, 1].map(|i| paths.streams.number(lane, LENS + i)));
+            let view = View::new(&scene.sensor, &scene.film, &scene.sensor.state(), lens);
+            let ray = view.ray(view.direction(film.map(|numbers| numbers[lane])));
+            paths.vertices.origin.set(lane, ray.origin);
+            paths.vertices.direction.set(lane, ray.direction);
+            (range[0][lane], range[1][lane]) = (ray.range[0], ray.range[1]);
+        }
+        range
+    }
+
+    /// Adds what the camera sees of emitters.
     fn add_seen(&self, paths: &mut Paths<'_>, mask: u32) {
         if !self.plan.reaches(1) || self.plan.hide_emitters {
             return;
         }
         for lane in lanes_of(mask) {
-            let direction = paths.vertices.direction.get(lane);
-            if self.scene.emits(paths.faces[lane], direction) {
-                paths.light.set_colour(lane, self.scene.radiance);
+            let (origin, direction) = (
+                paths.vertices.origin.get(lane),
+                paths.vertices.direction.get(lane),
+            );
+            let face = paths.faces[lane];
+            if let Some(emitter) = self.scene.emitter_towards(face, direction) {
+                let seen = self.emitted(emitter, face, [origin, direction]);
+                paths.light.set_colour(lane, seen);
             }
         }
     }
 
+    /// What an emitter sends back along a ray, given by its origin and its direction, that hits a face.
+    fn emitted(&self, emitter: EmitterId, face: u32, [origin, direction]: [Vec3; 2]) -> Rgb {
+        let hit = self.scene.hit(face, origin, direction);
+        self.lights
+            .radiance(emitter, hit.as_ref(), origin, direction)
+    }
+
     /// Adds what arrives by reflections.
     fn reflect<'s>(&'s self, paths: &mut Paths<'s>, mask: u32) {
-        let plan = &self.plan;
+        let (plan, sampling) = (&self.plan, self.plan.sampling);
         let mut active = mask;
         for depth in 0.. {
             // The path goes on from a surface that is hit, if paths so long are sampled.
@@ -214,30 +246,32 @@ impl<'a> LaneTracer<'a> {
             }
             let goes_on = plan.reaches(depth + 3);
             let first = plan.vertex_numbers(depth);
-            let instructions = self.packets.instructions();
             let Paths {
                 vertices, lobes, ..
             } = &mut *paths;
-            lobes.face_viewers(instructions, vertices, active);
+            lobes.face_viewers(self.instructions, vertices, active);
             // Where directions are drawn from the surface: see `sample_lights`.
-            let of_brdf = match goes_on {
-                true => active,
-                false => {
-                    let narrow = instructions.run(step::Narrow {
-                        vertices: &paths.vertices,
-                        emitter: self.scene.triangles,
-                    });
-                    active & !narrow | paths.lobes.which(active, |lobes| !lobes.is_diffuse)
-                }
+            let of_brdf = match (sampling.bsdf_samples, goes_on) {
+                (0, _) => 0,
+                (_, true) => active,
+                (_, false) => active & !self.sampled_well(paths, active),
             };
             self.add_light(paths, active, first, of_brdf);
             if of_brdf == 0 {
                 return;
             }
-            let drawn = self.draw_brdf(paths, of_brdf, first + EMITTER_NUMBERS);
+            // The first one last: along it the path goes on.
+            let first = first + sampling.emitter_samples * EMITTER_NUMBERS;
+            let mut drawn = 0;
+            for i in (0..sampling.bsdf_samples).rev() {
+                drawn = self.draw_brdf(paths, of_brdf, first + i * BSDF_NUMBERS);
+            }
             if !goes_on {
                 return;
             }
+            paths.throughput = paths.throughput.times(&paths.vertices.scattered);
+            paths.vertices.direction = paths.drawn.direction;
+            paths.vertices.origin = paths.vertices.position;
             active = self.roulette(paths, drawn, depth);
         }
     }
@@ -255,36 +289,64 @@ impl<'a> LaneTracer<'a> {
             return 0;
         }
         for lane in lanes_of(active) {
-            self.scene.set_plane(faces[lane], lane, vertices);
+            self.scene.set_face(faces[lane], lane, vertices);
         }
-        let instructions = self.packets.instructions();
-        instructions.run(step::Surfaces(vertices));
+        self.instructions.run(step::Surfaces(vertices));
         mask_of(active, |lane| {
-            let found = self.scene.look_up(faces[lane], lane, vertices);
-            lobes.set(lane, found.flatten());
-            found.is_some()
+            self.scene.look_up(faces[lane], lane, vertices, lobes)
         })
     }
 
-    /// Adds light from a point sampled on the emitter.
-    fn add_light(&self, paths: &mut Paths<'_>, active: u32, first: u32, of_brdf: u32) {
-        let lobes = &paths.lobes;
-        let active = active & !lobes.which(active, |lobes| !lobes.has_smooth);
-        let transmits = lobes.which(active, |lobes| lobes.transmits);
-        let instructions = self.packets.instructions();
-        let (vertices, lobes) = (&mut paths.vertices, &mut paths.lobes);
-        let lit = &mut paths.lit;
-        instructions.run(step::Light {
-            vertices,
-            rectangle: self.scene.rectangle,
-            streams: &paths.streams,
-            first,
-            lanes: active,
-            of_brdf,
-            transmits,
-            lit,
+    /// One bit for each of some lanes where directions from the surface would add more time than they
+    /// take noise away, see `light.rs`.
+    fn sampled_well(&self, paths: &Paths<'_>, active: u32) -> u32 {
+        let Some(emitter) = self.lights.only() else {
+            return 0;
+        };
+        let narrow = self.instructions.run(step::Narrow {
+            vertices: &paths.vertices,
+            emitter,
         });
-        let wanted = active & lit.mask;
+        active & narrow & !paths.lobes.which(active, |lobes| !lobes.is_diffuse)
+    }
+
+    /// Adds light from emitters towards which directions are drawn.
+    fn add_light(&self, paths: &mut Paths<'_>, active: u32, first: u32, of_brdf: u32) {
+        let samples = self.plan.sampling.emitter_samples;
+        let with_points = active & !paths.lobes.which(active, |lobes| !lobes.has_smooth);
+        let transmits = paths.lobes.which(active, |lobes| lobes.transmits);
+        let surfaces = (&paths.vertices, &paths.lobes);
+        (self.lights).choose(&mut paths.choices, surfaces, [active, with_points]);
+        for i in 0..samples {
+            let first = first + i * EMITTER_NUMBERS;
+            self.add_points(paths, first, [with_points, transmits, of_brdf]);
+        }
+    }
+
+    /// Adds light from an emitter to each of some lanes.
+    fn add_points(&self, paths: &mut Paths<'_>, first: u32, masks: [u32; 3]) {
+        let [lanes, transmits, of_brdf] = masks;
+        let (vertices, lobes) = (&mut paths.vertices, &mut paths.lobes);
+        let (lit, instructions) = (&mut paths.lit, self.instructions);
+        self.lights.draw(
+            instructions,
+            &mut paths.choices,
+            (vertices, lobes),
+            &paths.streams,
+            first,
+            lanes,
+            lit,
+        );
+        // Nothing else draws the direction of an emitter without extent.
+        let of_brdf = of_brdf & !lit.of_delta;
+        let bsdf_samples = f64::from(self.plan.sampling.bsdf_samples);
+        let behind = instructions.run(step::WeighDiffuse {
+            vertices,
+            lit,
+            bsdf_samples,
+            of_brdf,
+        });
+        let wanted = lanes & lit.mask & (transmits | !behind);
         if wanted == 0 {
             return;
         }
@@ -292,27 +354,28 @@ impl<'a> LaneTracer<'a> {
             origin: &vertices.position,
             direction: &lit.direction,
             range: &lit.range,
+            from_surfaces: true,
             mask: wanted,
         };
-        for lane in lanes_of(wanted) {
-            paths.rays[lane] += 1;
-        }
-        let seen = wanted & !rays.occluded(&self.packets);
-        lobes.weigh_points(instructions, vertices, lit, [seen, of_brdf]);
+        let seen = wanted & !self.meets.occluded(&rays);
+        self.lights.shine(vertices, seen, lit);
+        let masks = [seen, of_brdf];
+        lobes.weigh_points(instructions, vertices, lit, bsdf_samples, masks);
         instructions.run(step::SumLight {
             light: &mut paths.light,
             throughput: &paths.throughput,
             scattered: &vertices.scattered,
             weight: &lit.weight,
-            radiance: self.scene.radiance,
+            radiance: &lit.radiance,
             lanes: seen,
         });
+        paths.count_rays(wanted);
     }
 
-    /// Draws directions from the surfaces, adds what the emitter sends from there, and goes on
-    /// along them; one bit for each that does.
+    /// Draws directions from the surfaces, finds what is there, and adds what emitters send from
+    /// there; one bit for each that leads on.
     fn draw_brdf(&self, paths: &mut Paths<'_>, active: u32, first: u32) -> u32 {
-        let instructions = self.packets.instructions();
+        let instructions = self.instructions;
         // The first one chooses among lobes.
         let with_lobes = active & paths.lobes.with_lobes;
         let (mut choice, mut u) = ([[0.0; LANES]; 1], [[0.0; LANES]; 2]);
@@ -343,33 +406,47 @@ impl<'a> LaneTracer<'a> {
             of_lobes = lobes.weigh_drawn(instructions, vertices, drawn, of_lobes);
         }
         let active = active & !with_lobes | of_lobes;
-        vertices.direction = drawn.direction;
-        vertices.origin = vertices.position;
         let rays = LaneRays {
-            origin: &vertices.origin,
-            direction: &vertices.direction,
+            origin: &vertices.position,
+            direction: &drawn.direction,
             range: &ALL_BEHIND,
+            from_surfaces: true,
             mask: active,
         };
-        paths.faces = rays.first_hits(&self.packets);
-        let faces = &paths.faces;
-        let emits = |lane| self.scene.emits(faces[lane], drawn.direction.get(lane));
-        let seen = mask_of(active, emits);
-        if seen != 0 {
-            instructions.run(step::SumLight {
-                light: &mut paths.light,
-                throughput: &paths.throughput,
-                scattered: &vertices.scattered,
-                weight: &drawn.weight,
-                radiance: self.scene.radiance,
-                lanes: seen,
-            });
-        }
+        paths.faces = self.meets.first_hits(&rays);
+        paths.count_rays(active);
         for lane in lanes_of(active) {
-            paths.rays[lane] += 1;
+            self.add_met(paths, lane);
         }
-        paths.throughput = paths.throughput.times(&vertices.scattered);
         active
+    }
+
+    /// Adds what an emitter sends from where a direction drawn from a surface leads.
+    #[inline]
+    fn add_met(&self, paths: &mut Paths<'_>, lane: usize) {
+        let (face, direction) = (paths.faces[lane], paths.drawn.direction.get(lane));
+        let Some(emitter) = self.scene.emitter_towards(face, direction) else {
+            return;
+        };
+        let position = paths.vertices.position.get(lane);
+        let hit = self.scene.hit(face, position, direction);
+        let samples = f64::from(self.plan.sampling.bsdf_samples);
+        // Nothing else samples a specular direction.
+        let weight = match paths.drawn.specular >> lane & 1 {
+            1 => 1.0,
+            _ => {
+                let receiver = paths.lobes.receiver(&paths.vertices, lane);
+                let hit = hit.as_ref();
+                let own = samples * paths.drawn.pdf[lane];
+                let other =
+                    (self.lights).density(&paths.choices, lane, emitter, hit, direction, &receiver);
+                power_heuristic(own, other)
+            }
+        };
+        let radiance = (self.lights).radiance(emitter, hit.as_ref(), position, direction);
+        let factor = paths.throughput.colour(lane) * paths.vertices.scattered.colour(lane);
+        let light = paths.light.colour(lane) + factor * radiance * (weight / samples);
+        paths.light.set_colour(lane, light);
     }
 
     /// Ends paths that carry nothing, and long ones at random; one bit for each that goes on.
@@ -400,5 +477,3 @@ impl<'a> LaneTracer<'a> {
         alive
     }
 }
-
-const _: () = assert!(BSDF_NUMBERS == 3 && EMITTER_NUMBERS == 3);

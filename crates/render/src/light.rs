@@ -14,6 +14,7 @@ use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 use crate::emitter_choice::EmitterChoice;
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
 use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LightSampling};
+use crate::receiver::Receiver;
 use crate::vertex::Vertex;
 
 /// An unoccluded direction towards an emitter.
@@ -80,10 +81,12 @@ pub fn sample_lights(
     } else {
         0
     };
-    let count = emitters.len();
+    let (count, receiver) = (emitters.len(), vertex.receiver());
     let emitter_choice = match sampling.alike || on_emitters == 0 {
         true => EmitterChoice::alike(count),
-        false => EmitterChoice::by_light(accel, emitters, vertex, count, |i| EmitterId(i as u32)),
+        false => {
+            EmitterChoice::by_light(accel, emitters, &receiver, count, |i| EmitterId(i as u32))
+        }
     };
     for i in 0..on_emitters {
         let base = dimension + i * EMITTER_NUMBERS;
@@ -93,7 +96,8 @@ pub fn sample_lights(
         };
         let emitter = EmitterId(chosen as u32);
         let sampler = &emitters[chosen].directions;
-        let Some((drawn, pdf)) = sample_emitter(accel, emitter, sampler, vertex, point) else {
+        let drawn = TowardsEmitter::draw(accel, emitter, sampler, &receiver, point);
+        let Some(drawn) = drawn.filter(|drawn| drawn.is_free(accel, receiver.position)) else {
             continue;
         };
         // Nothing else samples the direction of an emitter without extent.
@@ -104,10 +108,16 @@ pub fn sample_lights(
             | DirectionSampler::Constant
             | DirectionSampler::Environment(_) => of_bsdf(vertex.pdf(drawn.direction)),
         };
-        let own = of_emitters(probability * pdf);
+        let own = of_emitters(probability * drawn.pdf);
         if own > 0.0 {
-            let weight = power_heuristic(own, other) / own;
-            shade(i, LightSample { weight, ..drawn });
+            let sample = LightSample {
+                direction: drawn.direction,
+                emitter,
+                hit: drawn.hit,
+                weight: power_heuristic(own, other) / own,
+                specular: None,
+            };
+            shade(i, sample);
         }
     }
     let mut next = None;
@@ -139,7 +149,7 @@ pub fn sample_lights(
             Some(_) => 0.0,
             None => {
                 let sampler = &emitters[emitter.0 as usize].directions;
-                let pdf = emitter_pdf(accel, emitter, sampler, hit.as_ref(), direction, vertex);
+                let pdf = emitter_pdf(accel, emitter, sampler, hit.as_ref(), direction, &receiver);
                 of_emitters(emitter_choice.probability(emitter.0 as usize) * pdf)
             }
         };
@@ -194,85 +204,98 @@ pub fn emitter_towards(accel: &Accel, hit: Option<&Hit>, direction: Vec3) -> Opt
     }
 }
 
-/// Density per solid angle with which [`sample_emitter`] samples a direction in
+/// Density per solid angle with which [`TowardsEmitter::draw`] draws a direction in
 /// which the emitter is seen.
-fn emitter_pdf(
+pub fn emitter_pdf(
     accel: &Accel,
     emitter: EmitterId,
     sampler: &DirectionSampler,
     hit: Option<&Hit>,
     direction: Vec3,
-    vertex: &Vertex<f64>,
+    receiver: &Receiver,
 ) -> f64 {
     match (sampler, hit) {
         (DirectionSampler::Area(triangles), Some(hit)) => {
             let face = hit.face - accel.emitter_face(emitter, 0);
-            triangles.pdf(vertex.position, face, direction, hit.t)
+            triangles.pdf(receiver.position, face, direction, hit.t)
         }
         (DirectionSampler::Environment(table), _) => map_pdf(table.as_ref(), direction),
         (DirectionSampler::Constant, _) => {
-            environment_pdf(vertex, vertex.frame.to_local(direction))
+            environment_pdf(receiver, receiver.frame.to_local(direction))
         }
         (DirectionSampler::Area(_) | DirectionSampler::Delta, _) => 0.0,
     }
 }
 
-/// Draws a direction towards an emitter: to a point of an area emitter, or to the environment;
-/// with its density, and no weight yet. `None` if it is occluded or seen from behind.
-fn sample_emitter(
-    accel: &Accel,
-    emitter: EmitterId,
-    sampler: &DirectionSampler,
-    vertex: &Vertex<f64>,
-    u: [f64; 2],
-) -> Option<(LightSample, f64)> {
-    let position = vertex.position;
-    let is_free = |direction: Vec3| accel.first_hit(position, direction).is_none();
-    let (direction, hit, pdf) = match sampler {
-        DirectionSampler::Area(triangles) => {
-            let point = triangles.sample(position, u)?;
-            let direction = point.direction;
-            // False for NaN, which the pixel counts.
-            let behind = !vertex.transmits && direction.dot(vertex.frame.n) <= 0.0;
-            if behind || !accel.surface_sees(position, direction, point.distance) {
-                return None;
+/// A direction drawn towards an emitter: to a point of an area emitter, or to the environment.
+#[derive(Clone, Copy, Debug)]
+pub struct TowardsEmitter {
+    /// Unit direction.
+    pub direction: Vec3,
+    /// Distance to the emitter; infinite for the environment and directional light.
+    pub distance: f64,
+    /// The point of the emitter, if it is on a surface.
+    pub hit: Option<Hit>,
+    /// Its density per solid angle; 1 if there is only one direction.
+    pub pdf: f64,
+}
+
+impl TowardsEmitter {
+    /// Draws one, whatever is in between; `None` if the emitter is seen from behind, or is behind
+    /// the receiver.
+    pub fn draw(
+        accel: &Accel,
+        emitter: EmitterId,
+        sampler: &DirectionSampler,
+        receiver: &Receiver,
+        u: [f64; 2],
+    ) -> Option<Self> {
+        let position = receiver.position;
+        let far = |direction, pdf| Self {
+            direction,
+            distance: f64::INFINITY,
+            hit: None,
+            pdf,
+        };
+        match sampler {
+            DirectionSampler::Area(triangles) => {
+                let point = triangles.sample(position, u)?;
+                let hit = Hit {
+                    t: point.distance,
+                    face: accel.emitter_face(emitter, point.face),
+                    barycentric: point.barycentric,
+                };
+                (!receiver.is_behind(point.direction)).then_some(Self {
+                    direction: point.direction,
+                    distance: point.distance,
+                    hit: Some(hit),
+                    pdf: point.pdf,
+                })
             }
-            let hit = Hit {
-                t: point.distance,
-                face: accel.emitter_face(emitter, point.face),
-                barycentric: point.barycentric,
-            };
-            (direction, Some(hit), point.pdf)
+            DirectionSampler::Constant => {
+                let local = sample_environment(receiver, u);
+                let pdf = environment_pdf(receiver, local);
+                Some(far(receiver.frame.to_world(local), pdf))
+            }
+            DirectionSampler::Environment(table) => {
+                let direction = sample_map(table.as_ref(), u);
+                Some(far(direction, map_pdf(table.as_ref(), direction)))
+            }
+            DirectionSampler::Delta => {
+                let light = accel.delta_light(emitter, position)?;
+                let distance = light.distance;
+                Some(Self {
+                    distance,
+                    ..far(light.direction, 1.0)
+                })
+            }
         }
-        DirectionSampler::Constant => {
-            let local = sample_environment(vertex, u);
-            let direction = vertex.frame.to_world(local);
-            let free = is_free(direction);
-            free.then(|| (direction, None, environment_pdf(vertex, local)))?
-        }
-        DirectionSampler::Environment(table) => {
-            let direction = sample_map(table.as_ref(), u);
-            let free = is_free(direction);
-            free.then(|| (direction, None, map_pdf(table.as_ref(), direction)))?
-        }
-        DirectionSampler::Delta => {
-            let light = accel.delta_light(emitter, position)?;
-            let free = match light.distance.is_finite() {
-                true => accel.surface_sees(position, light.direction, light.distance),
-                false => is_free(light.direction),
-            };
-            // In the place of a density.
-            free.then_some((light.direction, None, 1.0))?
-        }
-    };
-    let sample = LightSample {
-        direction,
-        emitter,
-        hit,
-        weight: 0.0,
-        specular: None,
-    };
-    Some((sample, pdf))
+    }
+
+    /// True if nothing lies between the emitter and the point that it is drawn from.
+    pub fn is_free(&self, accel: &Accel, position: Vec3) -> bool {
+        accel.surface_sees(position, self.direction, self.distance)
+    }
 }
 
 /// Share of directions to an environment map that are drawn uniformly: black
@@ -310,16 +333,16 @@ fn uniform_direction(u: [f64; 2]) -> Vec3 {
 
 /// A direction in the shading frame: by the cosine, or uniform if light can come
 /// from both sides.
-fn sample_environment(vertex: &Vertex<f64>, u: [f64; 2]) -> Vec3 {
-    match vertex.transmits {
+fn sample_environment(receiver: &Receiver, u: [f64; 2]) -> Vec3 {
+    match receiver.transmits {
         true => uniform_direction(u),
         false => sample_cosine(u),
     }
 }
 
 /// Density per solid angle of [`sample_environment`].
-fn environment_pdf(vertex: &Vertex<f64>, local: Vec3) -> f64 {
-    match vertex.transmits {
+fn environment_pdf(receiver: &Receiver, local: Vec3) -> f64 {
+    match receiver.transmits {
         true => 0.25 * FRAC_1_PI,
         false => cosine_pdf(local),
     }

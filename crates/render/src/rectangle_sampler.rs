@@ -9,9 +9,9 @@ use capwalk_math::spherical_rectangle::SphericalRectangle;
 /// coordinates: more than the rounding of where a square is placed, and too little to be noticed.
 const OFF_BY: [f64; 2] = [1e-12, 16.0 * f64::EPSILON];
 
-/// A rectangle that is made of two triangles.
-#[derive(Clone, Debug)]
-pub struct RectangleSampler {
+/// A rectangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Rectangle {
     /// A corner.
     pub corner: Vec3,
     /// Unit vectors along the sides from there.
@@ -20,6 +20,13 @@ pub struct RectangleSampler {
     pub normal: Vec3,
     /// Lengths of the sides.
     pub lengths: [f64; 2],
+}
+
+/// A rectangle that is made of two triangles.
+#[derive(Clone, Debug)]
+pub struct RectangleSampler {
+    /// Where it is.
+    pub rectangle: Rectangle,
     /// For each triangle, what gives the weights of its second and third corner at a point:
     /// one number, and two that are multiplied by the place along the sides.
     pub weights: [[[f64; 3]; 2]; 2],
@@ -75,24 +82,59 @@ impl RectangleSampler {
             };
             [weight(q, [p, r]), weight(r, [p, q])]
         });
-        Some(Self {
+        let rectangle = Rectangle {
             corner,
             sides,
             normal,
             lengths,
-            weights,
-        })
+        };
+        Some(Self { rectangle, weights })
     }
 
     /// The rectangle as it is seen from a point; `None` if that is not in front of it.
     #[inline]
     pub fn seen_from(&self, viewpoint: Vec3) -> Option<SphericalRectangle> {
-        let (seen, is_in_front) = self.seen(viewpoint);
+        let (seen, is_in_front) = self.rectangle.seen(viewpoint);
         is_in_front.then_some(seen)
     }
 
-    /// [`Self::seen_from`] without a branch, and whether the point is in front of it; if not, its solid angle
-    /// is zero.
+    /// A point of it, uniform by solid angle.
+    #[inline]
+    pub fn sample(&self, seen: &SphericalRectangle, u: [f64; 2]) -> RectanglePoint {
+        let [x, y] = seen.sample(u);
+        let (face, barycentric) = self.place([x - seen.x[0], y - seen.y[0]]);
+        RectanglePoint {
+            offset: self.rectangle.at(seen, [x, y]),
+            face,
+            barycentric,
+        }
+    }
+
+    /// The triangle, 0 or 1, and the weights of its second and third corner, at a point of the
+    /// rectangle's plane in the world.
+    pub fn place_of(&self, point: Vec3) -> (u32, [f64; 2]) {
+        let Rectangle { corner, sides, .. } = self.rectangle;
+        self.place(sides.map(|side| side.dot(point - corner)))
+    }
+
+    /// Those at distances along the sides.
+    #[inline]
+    fn place(&self, [s, t]: [f64; 2]) -> (u32, [f64; 2]) {
+        // In one triangle all weights are at least 0, up to rounding.
+        let weights = self
+            .weights
+            .map(|of_corners| of_corners.map(|[c, a, b]| c + a * s + b * t));
+        let least = weights.map(|[wb, wc]| wb.min(wc).min(1.0 - wb - wc));
+        let face = usize::from(least[1] > least[0]);
+        let [wb, wc] = weights[face];
+        let wb = wb.clamp(0.0, 1.0);
+        (face as u32, [wb, wc.clamp(0.0, 1.0 - wb)])
+    }
+}
+
+impl Rectangle {
+    /// The rectangle as it is seen from a point, and whether that is in front of it; if not, its
+    /// solid angle is zero.
     #[inline(always)]
     pub fn seen(&self, viewpoint: Vec3) -> (SphericalRectangle, bool) {
         let offset = self.corner - viewpoint;
@@ -111,26 +153,6 @@ impl RectangleSampler {
     #[inline(always)]
     fn at(&self, seen: &SphericalRectangle, [x, y]: [f64; 2]) -> Vec3 {
         self.sides[0] * x + self.sides[1] * y - self.normal * seen.z
-    }
-
-    /// A point of it, uniform by solid angle.
-    #[inline]
-    pub fn sample(&self, seen: &SphericalRectangle, u: [f64; 2]) -> RectanglePoint {
-        let [x, y] = seen.sample(u);
-        let [s, t] = [x - seen.x[0], y - seen.y[0]];
-        // In one triangle all weights are at least 0, up to rounding.
-        let weights = self
-            .weights
-            .map(|of_corners| of_corners.map(|[c, a, b]| c + a * s + b * t));
-        let least = weights.map(|[wb, wc]| wb.min(wc).min(1.0 - wb - wc));
-        let face = usize::from(least[1] > least[0]);
-        let [wb, wc] = weights[face];
-        let wb = wb.clamp(0.0, 1.0);
-        RectanglePoint {
-            offset: self.at(seen, [x, y]),
-            face: face as u32,
-            barycentric: [wb, wc.clamp(0.0, 1.0 - wb)],
-        }
     }
 }
 

@@ -102,7 +102,9 @@ fn importance(
     speed: f64,
 ) -> f64 {
     let distance = (bounds.centre - vertex.position).length();
-    let cosine = vertex.largest_cosine(bounds.centre, bounds.radius);
+    let cosine = vertex
+        .receiver()
+        .largest_cosine(bounds.centre, bounds.radius);
     let scattered = highlight.map_or(cosine, |highlight| {
         highlight.largest(vertex, bounds.centre, bounds.radius, cosine)
     });

@@ -3,7 +3,7 @@
 use capwalk_boundary::Accel;
 use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::resolve::TexturesAt;
-use capwalk_scene::{Pattern, TextureId};
+use capwalk_scene::{Pattern, SurfacePoint, TextureId};
 
 use crate::scene_eval::SceneEval;
 use crate::surface::Surface;
@@ -42,7 +42,8 @@ pub fn add_lobes<R: Real, W: SceneEval<R>>(
 ) -> bool {
     let textures = &mut Textures {
         eval,
-        surface,
+        point: &surface.point,
+        tangents: surface.tangents,
         frame: vertex.frame,
     };
     let (resolver, scene) = (&accel.resolver, &accel.scene);
@@ -61,37 +62,41 @@ pub fn add_lobes<R: Real, W: SceneEval<R>>(
     true
 }
 
-/// The textures at an intersection.
-struct Textures<'a, R, W> {
-    eval: &'a W,
-    surface: &'a Surface<R>,
+/// The textures at a point of a surface.
+pub struct Textures<'a, R, W> {
+    /// The numbers of the scene.
+    pub eval: &'a W,
+    /// The point on the shape.
+    pub point: &'a SurfacePoint<R>,
+    /// Derivatives of the position with respect to the texture coordinates, if they span the face.
+    pub tangents: Option<[Vec3<R>; 2]>,
     /// The shading frame on the outside.
-    frame: Frame<R>,
+    pub frame: Frame<R>,
 }
 
 impl<R: Real, W: SceneEval<R>> TexturesAt<R> for Textures<'_, R, W> {
     #[inline]
     fn value(&mut self, id: TextureId) -> Rgb<R> {
-        self.eval.lookup(id, &self.surface.point)
+        self.eval.lookup(id, self.point)
     }
     /// With the position `p(u, v)` and the axes `s` and `t`, where `s` is along
     /// `∂p/∂u`: `h_u = (∂p/∂u·s) h_s` and `h_v = (∂p/∂v·s) h_s + (∂p/∂v·t) h_t`.
     fn gradient(&mut self, id: TextureId) -> [Rgb<R>; 2] {
-        let (surface, frame) = (self.surface, &self.frame);
+        let frame = &self.frame;
         let Pattern::Bitmap(bitmap) = &self.eval.scene().texture(id).pattern else {
             unreachable!("scenes are checked for heights with slopes");
         };
-        let Some([along_u, along_v]) = surface.tangents else {
+        let Some([along_u, along_v]) = self.tangents else {
             return [Rgb::zero(); 2]; // texture coordinates that do not span the face
         };
-        let [by_u, by_v] = bitmap.gradient(surface.point.uv, |index| self.eval.texel(id, index));
+        let [by_u, by_v] = bitmap.gradient(self.point.uv, |index| self.eval.texel(id, index));
         let by_s = by_u / along_u.dot(frame.s);
         let by_t = (by_v - by_s * along_v.dot(frame.s)) / along_v.dot(frame.t);
         [by_s, by_t]
     }
     fn may_change(&self, id: TextureId) -> bool {
         let scene = self.eval.scene();
-        let shape = scene.shape(self.surface.point.shape);
+        let shape = scene.shape(self.point.shape);
         let numbers = scene.numbers_of(id, shape);
         self.eval.is_asked_for(numbers)
     }
@@ -150,7 +155,8 @@ mod tests {
         let frame = Frame::from_normal_and_tangent(surface.outward, along_u);
         let mut textures = Textures {
             eval: &eval,
-            surface: &surface,
+            point: &surface.point,
+            tangents: surface.tangents,
             frame,
         };
         let [by_s, by_t] = textures.gradient(heights).map(|slope| slope.r);

@@ -3,8 +3,7 @@
 use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Event, LocalBsdf, Specular};
 
-/// Largest rounding error of a cosine.
-const ROUNDING: f64 = 1e-9;
+use crate::receiver::Receiver;
 
 /// A surface point that scatters light.
 #[derive(Clone, Debug)]
@@ -91,25 +90,12 @@ impl<R: Real> Vertex<R> {
 }
 
 impl Vertex<f64> {
-    /// The largest cosine between the shading normal and the direction to a point of a ball, at
-    /// least 0, and 0 only if no light from there is reflected or transmitted.
-    pub fn largest_cosine(&self, centre: Vec3, radius: f64) -> f64 {
-        let offset = centre - self.position;
-        let distance = offset.length();
-        if distance <= radius {
-            return 1.0;
-        }
-        // The angle between the normal and the centre, less that of the ball around it.
-        let cos = offset.dot(self.frame.n) / distance;
-        let cos = if self.transmits { cos.abs() } else { cos };
-        let sin_ball = radius / distance;
-        let cos_ball = (1.0 - sin_ball * sin_ball).max(0.0).sqrt();
-        match cos >= cos_ball {
-            true => 1.0,
-            false => {
-                let sin = (1.0 - cos * cos).max(0.0).sqrt();
-                (cos * cos_ball + sin * sin_ball + ROUNDING).max(0.0)
-            }
+    /// What of it matters to directions towards emitters.
+    pub fn receiver(&self) -> Receiver {
+        Receiver {
+            position: self.position,
+            frame: self.frame,
+            transmits: self.transmits,
         }
     }
 

@@ -25,8 +25,9 @@ impl LaneFrames {
         wi: Vectors::ZERO,
     };
 
+    /// That of a lane.
     #[inline(always)]
-    fn get(&self, lane: usize) -> Frame {
+    pub fn get(&self, lane: usize) -> Frame {
         Frame {
             s: self.s.get(lane),
             t: self.t.get(lane),

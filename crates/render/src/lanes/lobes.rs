@@ -2,16 +2,18 @@
 //! time (`rough.rs`), other lobes one by one.
 
 use capwalk_geometry::simd::Instructions;
-use capwalk_math::{Frame, Rgb, Vec3};
+use capwalk_math::{Frame, Vec3};
 use capwalk_scene::Resolved;
 use capwalk_scene::lobe::{BsdfDirection, LocalBsdf, RoughSurface, Specular};
 
 use crate::lanes::frames::{FindFrames, LaneFrames, ToLocal, ToWorld};
+use crate::lanes::lights::Lit;
 use crate::lanes::rough::{
     DrawFacets, LaneRough, LaneScattered, Scatter, Seen, WeighDrawn, WeighPoints,
 };
-use crate::lanes::step::{Brdf, Lit, Vertices, weight_beside_points, weight_over_density};
+use crate::lanes::step::{Brdf, Vertices, weight_over_density};
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
+use crate::receiver::Receiver;
 
 /// The lobes of one side of a surface, the same all over it.
 pub struct Lobes {
@@ -43,18 +45,29 @@ impl Lobes {
     }
 }
 
-/// Lobes of a face, which may turn with its texture coordinates.
-#[derive(Clone, Copy)]
-pub struct Turned<'a> {
-    /// The lobes.
-    pub lobes: &'a Lobes,
-    /// Along the first texture coordinate.
-    pub tangent: Option<Vec3>,
+/// The lobes of surfaces, by lanes.
+struct LaneSurfaces<'a> {
+    /// Those that are the same all over a shape.
+    constant: [Option<&'a Lobes>; LANES],
+    /// Those found at points, in the lanes that have their bit.
+    own: [Option<Box<Lobes>>; LANES],
+    own_lanes: u32,
+}
+
+impl LaneSurfaces<'_> {
+    fn get(&self, lane: usize) -> Option<&Lobes> {
+        match self.own_lanes >> lane & 1 {
+            1 => self.own[lane].as_deref(),
+            _ => self.constant[lane],
+        }
+    }
 }
 
 /// The lobes of those surfaces that are not diffuse, and light that they scatter.
 pub struct LaneLobes<'a> {
-    turned: [Option<Turned<'a>>; LANES],
+    surfaces: LaneSurfaces<'a>,
+    /// Along the first texture coordinate, if frames turn with it.
+    tangents: [Option<Vec3>; LANES],
     /// One bit for each that has lobes, and for each that is rough metal or plastic.
     pub with_lobes: u32,
     rough_lanes: u32,
@@ -72,7 +85,12 @@ impl<'a> LaneLobes<'a> {
     /// None yet.
     pub fn new() -> Self {
         Self {
-            turned: [None; LANES],
+            surfaces: LaneSurfaces {
+                constant: [None; LANES],
+                own: [const { None }; LANES],
+                own_lanes: 0,
+            },
+            tangents: [None; LANES],
             with_lobes: 0,
             rough_lanes: 0,
             frames: LaneFrames::NONE,
@@ -83,29 +101,59 @@ impl<'a> LaneLobes<'a> {
         }
     }
 
-    /// Sets those of a lane; `None` if its surface is diffuse.
+    /// Removes those of a lane: its surface is diffuse, or black.
     #[inline]
-    pub fn set(&mut self, lane: usize, turned: Option<Turned<'a>>) {
-        self.turned[lane] = turned;
-        let rough = turned.and_then(|turned| turned.lobes.rough.as_ref());
+    pub fn clear(&mut self, lane: usize) {
         let others = !(1 << lane);
-        self.with_lobes = self.with_lobes & others | u32::from(turned.is_some()) << lane;
-        self.rough_lanes = self.rough_lanes & others | u32::from(rough.is_some()) << lane;
-        if let Some(rough) = rough {
+        self.with_lobes &= others;
+        self.rough_lanes &= others;
+    }
+
+    /// Sets those of a lane that had none, the same all over its shape; the tangent is along the
+    /// first texture coordinate, if the material turns with it.
+    #[inline]
+    pub fn set(&mut self, lane: usize, lobes: &'a Lobes, tangent: Option<Vec3>) {
+        self.surfaces.constant[lane] = Some(lobes);
+        self.surfaces.own_lanes &= !(1 << lane);
+        self.tangents[lane] = tangent;
+        self.with_lobes |= 1 << lane;
+        if let Some(rough) = &lobes.rough {
+            self.rough_lanes |= 1 << lane;
             self.rough.set(lane, rough);
         }
     }
 
-    /// The lobes of a lane.
-    fn get(&self, lane: usize) -> Option<&'a Lobes> {
-        self.turned[lane].map(|turned| turned.lobes)
+    /// [`Self::set`] for those found at a point. They scatter light one by one.
+    pub fn set_own(&mut self, lane: usize, lobes: Lobes, tangent: Option<Vec3>) {
+        match &mut self.surfaces.own[lane] {
+            Some(own) => **own = lobes,
+            none => *none = Some(Box::new(lobes)),
+        }
+        self.surfaces.own_lanes |= 1 << lane;
+        self.tangents[lane] = tangent;
+        self.with_lobes |= 1 << lane;
     }
 
     /// One bit for each of some lanes that has any of which something holds.
     #[inline]
     pub fn which(&self, lanes: u32, holds: impl Fn(&Lobes) -> bool) -> u32 {
-        let of_lane = |lane| self.get(lane).is_some_and(&holds);
+        let of_lane = |lane| self.surfaces.get(lane).is_some_and(&holds);
         mask_of(self.with_lobes & lanes, of_lane)
+    }
+
+    /// What of a surface, whose frame is known, matters to directions towards emitters.
+    #[inline]
+    pub fn receiver(&self, vertices: &Vertices, lane: usize) -> Receiver {
+        let with_lobes = self.with_lobes >> lane & 1 == 1;
+        let lobes = with_lobes.then(|| self.surfaces.get(lane)).flatten();
+        Receiver {
+            position: vertices.position.get(lane),
+            frame: match with_lobes {
+                true => self.frames.get(lane),
+                false => vertices.frame(lane),
+            },
+            transmits: lobes.is_some_and(|lobes| lobes.transmits),
+        }
     }
 
     /// Finds the frames of some lanes, and what the viewers see of rough surfaces.
@@ -117,7 +165,7 @@ impl<'a> LaneLobes<'a> {
         let frames = &mut self.frames;
         instructions.run(FindFrames { vertices, frames });
         for lane in lanes_of(with_lobes) {
-            if let Some(tangent) = self.turned[lane].and_then(|turned| turned.tangent) {
+            if let Some(tangent) = self.tangents[lane] {
                 let outward = vertices.outward.get(lane);
                 let frame = Frame::from_normal_and_tangent(outward, tangent);
                 let direction = vertices.direction.get(lane);
@@ -135,13 +183,14 @@ impl<'a> LaneLobes<'a> {
     }
 
     /// Sets `vertices.scattered` of some lanes, the first, to what their lobes scatter of light that
-    /// comes from points on the emitter, and `lit.weight` to its weight over its density; the second
-    /// are those where directions are drawn from the surface, too.
+    /// comes from directions drawn towards emitters, and `lit.weight` to its weight over its density;
+    /// the second are those where so many directions are drawn from the surface, too.
     pub fn weigh_points(
         &mut self,
         instructions: Instructions,
         vertices: &mut Vertices,
         lit: &mut Lit,
+        bsdf_samples: f64,
         [lanes, of_brdf]: [u32; 2],
     ) {
         let lanes = lanes & self.with_lobes;
@@ -157,22 +206,24 @@ impl<'a> LaneLobes<'a> {
         if rough != 0 {
             instructions.run(WeighPoints {
                 scattered: &self.scattered,
-                solid_angle: &vertices.solid_angle,
+                inverse_density: &lit.inverse_density,
                 lanes: rough,
+                bsdf_samples,
                 of_brdf,
                 colours: &mut vertices.scattered,
                 weights: &mut lit.weight,
             });
         }
         for lane in lanes_of(lanes & !self.rough_lanes) {
-            let Some(lobes) = self.get(lane) else {
+            let Some(lobes) = self.surfaces.get(lane) else {
                 continue;
             };
             let (wi, wo) = (self.frames.wi.get(lane), self.light.get(lane));
             let (colour, pdf) = lobes.bsdf.eval_and_pdf(wi, wo);
-            let other = if of_brdf >> lane & 1 == 1 { pdf } else { 0.0 };
+            let has_other = of_brdf >> lane & 1 == 1;
+            let other = if has_other { bsdf_samples * pdf } else { 0.0 };
             vertices.scattered.set_colour(lane, colour);
-            lit.weight[lane] = weight_over_density(vertices.solid_angle[lane], other);
+            lit.weight[lane] = weight_over_density(lit.inverse_density[lane], other);
         }
     }
 
@@ -201,7 +252,7 @@ impl<'a> LaneLobes<'a> {
         }
         let others = mask_of(lanes & !self.rough_lanes, |lane| {
             let (wi, u) = (self.frames.wi.get(lane), u.map(|numbers| numbers[lane]));
-            let lobes = self.get(lane);
+            let lobes = self.surfaces.get(lane);
             let drawn = lobes.and_then(|lobes| lobes.bsdf.draw(wi, choice[lane], u));
             drawn.is_some_and(|BsdfDirection { wo, specular }| {
                 self.light.set(lane, wo);
@@ -214,9 +265,8 @@ impl<'a> LaneLobes<'a> {
 
     /// Weighs light from the directions drawn from the lobes of some lanes; one bit for each where the
     /// path goes on. Sets `drawn.direction` to where it comes from in the world, `vertices.scattered`
-    /// to what is scattered over the density, or the fraction of light over the probability of a
-    /// specular event, and `drawn.weight` to the weight of light from the emitter, if it is seen
-    /// there.
+    /// to what is scattered over the density `drawn.pdf`, or to the fraction of light over the
+    /// probability of a specular event, which gets its bit in `drawn.specular`.
     pub fn weigh_drawn(
         &mut self,
         instructions: Instructions,
@@ -231,21 +281,26 @@ impl<'a> LaneLobes<'a> {
         if rough != 0 {
             rough = instructions.run(WeighDrawn {
                 scattered: &self.scattered,
-                solid_angle: &vertices.solid_angle,
                 lanes: rough,
                 colours: &mut vertices.scattered,
-                weights: &mut drawn.weight,
+                pdf: &mut drawn.pdf,
             });
         }
         let others = mask_of(lanes & !self.rough_lanes, |lane| {
-            let weighed = self
-                .get(lane)
-                .and_then(|lobes| self.weighed(lobes, lane, vertices.solid_angle[lane]));
-            weighed.is_some_and(|(factor, weight)| {
-                vertices.scattered.set_colour(lane, factor);
-                drawn.weight[lane] = weight;
-                true
-            })
+            let Some(lobes) = self.surfaces.get(lane) else {
+                return false;
+            };
+            let wi = self.frames.wi.get(lane);
+            if let Some((event, probability)) = self.specular[lane] {
+                let fraction = lobes.bsdf.specular(event, wi).1;
+                vertices.scattered.set_colour(lane, fraction / probability);
+                drawn.specular |= 1 << lane;
+                return true;
+            }
+            let (scattered, pdf) = lobes.bsdf.eval_and_pdf(wi, self.light.get(lane));
+            vertices.scattered.set_colour(lane, scattered / pdf);
+            drawn.pdf[lane] = pdf;
+            pdf > 0.0
         });
         instructions.run(ToWorld {
             frames: &self.frames,
@@ -269,18 +324,5 @@ impl<'a> LaneLobes<'a> {
             });
         }
         lanes
-    }
-
-    /// [`LaneLobes::weigh_drawn`] of a lane that is not rough; `None` if the path ends.
-    fn weighed(&self, lobes: &Lobes, lane: usize, solid_angle: f64) -> Option<(Rgb, f64)> {
-        let wi = self.frames.wi.get(lane);
-        // Nothing else samples a specular direction.
-        if let Some((event, probability)) = self.specular[lane] {
-            let fraction = lobes.bsdf.specular(event, wi).1;
-            return Some((fraction / probability, 1.0));
-        }
-        let (scattered, pdf) = lobes.bsdf.eval_and_pdf(wi, self.light.get(lane));
-        let weight = weight_beside_points(solid_angle, pdf);
-        (pdf > 0.0).then(|| (scattered / pdf, weight))
     }
 }

@@ -9,7 +9,7 @@ use capwalk_scene::lobe::branchless::{self, Stretched};
 use capwalk_scene::lobe::{Distribution, Microfacets, RoughSurface};
 
 use crate::lanes::frames::LaneFrames;
-use crate::lanes::step::{weight_beside_points, weight_over_density};
+use crate::lanes::step::weight_over_density;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
 /// The rough surfaces, coordinate by coordinate.
@@ -294,13 +294,14 @@ fn scatter(
     }
 }
 
-/// Weighs what is scattered at some lanes of light from points sampled on the emitter, which is
-/// seen under solid angles.
+/// Weighs what is scattered at some lanes of light from directions drawn towards emitters.
 pub struct WeighPoints<'a> {
     pub scattered: &'a LaneScattered,
-    pub solid_angle: &'a Numbers,
+    /// The inverse of the density of those directions.
+    pub inverse_density: &'a Numbers,
     pub lanes: u32,
-    /// One bit for each where directions are drawn from the surface, too.
+    /// Directions that are drawn from each surface that draws some, and one bit for each of those.
+    pub bsdf_samples: f64,
     pub of_brdf: u32,
     pub colours: &'a mut Vectors,
     /// Weights over densities.
@@ -313,13 +314,21 @@ impl Computation for WeighPoints<'_> {
     fn run<S: Simd>(self, _: S) {
         let Self {
             scattered,
-            solid_angle,
+            inverse_density,
             lanes,
+            bsdf_samples,
             of_brdf,
             colours,
             weights,
         } = self;
-        weigh_points(&scattered.pdf, solid_angle, [lanes, of_brdf], weights);
+        let masks = [lanes, of_brdf];
+        weigh_points(
+            &scattered.pdf,
+            inverse_density,
+            bsdf_samples,
+            masks,
+            weights,
+        );
         replace(colours, &scattered.colour, lanes);
     }
 }
@@ -327,15 +336,20 @@ impl Computation for WeighPoints<'_> {
 #[inline(always)]
 fn weigh_points(
     pdf: &Numbers,
-    solid_angle: &Numbers,
+    inverse_density: &Numbers,
+    bsdf_samples: f64,
     [lanes, of_brdf]: [u32; 2],
     weights: &mut Numbers,
 ) {
     for lane in 0..LANES {
         let is_asked = lanes >> lane & 1 == 1;
         let has_other = of_brdf >> lane & 1 == 1;
-        let other = if has_other { pdf[lane] } else { 0.0 };
-        let weight = weight_over_density(solid_angle[lane], other);
+        let other = if has_other {
+            bsdf_samples * pdf[lane]
+        } else {
+            0.0
+        };
+        let weight = weight_over_density(inverse_density[lane], other);
         weights[lane] = if is_asked { weight } else { weights[lane] };
     }
 }
@@ -354,12 +368,10 @@ fn replace(all: &mut Vectors, new: &Vectors, lanes: u32) {
 /// for each whose density is positive.
 pub struct WeighDrawn<'a> {
     pub scattered: &'a LaneScattered,
-    pub solid_angle: &'a Numbers,
     pub lanes: u32,
-    /// What is scattered over densities.
+    /// What is scattered over densities, and these.
     pub colours: &'a mut Vectors,
-    /// Weights of light from the emitter, if it is seen there.
-    pub weights: &'a mut Numbers,
+    pub pdf: &'a mut Numbers,
 }
 
 impl Computation for WeighDrawn<'_> {
@@ -368,12 +380,11 @@ impl Computation for WeighDrawn<'_> {
     fn run<S: Simd>(self, _: S) -> u32 {
         let Self {
             scattered,
-            solid_angle,
             lanes,
             colours,
-            weights,
+            pdf,
         } = self;
-        weigh_drawn(scattered, solid_angle, lanes, colours, weights);
+        weigh_drawn(scattered, lanes, colours, pdf);
         let mut drawn = 0;
         for (lane, pdf) in scattered.pdf.iter().enumerate() {
             drawn |= u32::from(*pdf > 0.0) << lane;
@@ -383,19 +394,12 @@ impl Computation for WeighDrawn<'_> {
 }
 
 #[inline(always)]
-fn weigh_drawn(
-    scattered: &LaneScattered,
-    solid_angle: &Numbers,
-    lanes: u32,
-    colours: &mut Vectors,
-    weights: &mut Numbers,
-) {
+fn weigh_drawn(scattered: &LaneScattered, lanes: u32, colours: &mut Vectors, pdf: &mut Numbers) {
     for lane in 0..LANES {
         let is_asked = lanes >> lane & 1 == 1;
-        let pdf = scattered.pdf[lane];
-        let weight = weight_beside_points(solid_angle[lane], pdf);
-        weights[lane] = if is_asked { weight } else { weights[lane] };
-        let (factor, kept) = (scattered.colour.get(lane) * (1.0 / pdf), colours.get(lane));
+        let own = scattered.pdf[lane];
+        pdf[lane] = if is_asked { own } else { pdf[lane] };
+        let (factor, kept) = (scattered.colour.get(lane) * (1.0 / own), colours.get(lane));
         colours.set(lane, if is_asked { factor } else { kept });
     }
 }

@@ -1,246 +1,249 @@
-//! What of a scene lanes need, and which scenes allow them.
+//! What lanes look up in a scene: faces, and what their sides scatter.
 
 use capwalk_boundary::{Accel, tangents_of_face};
-use capwalk_math::{Rgb, Vec3};
+use capwalk_geometry::Hit;
+use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::{Diffuse, Lobe, Side};
 use capwalk_scene::resolve::Constants;
-use capwalk_scene::{Bsdf, BsdfId, Emitter, Scene, Shape, ShapeId, SurfacePoint, TextureId};
+use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, Shape, ShapeId, SurfacePoint, TextureId};
 
-use crate::emitter_sampler::DirectionSampler;
-use crate::lanes::lobes::{Lobes, Turned};
+use crate::lanes::lobes::{LaneLobes, Lobes};
 use crate::lanes::step::Vertices;
-use crate::prepared::PreparedScene;
-use crate::rectangle_sampler::RectangleSampler;
-use crate::triangle_sampler::Node;
+use crate::scene_eval::Primal;
+use crate::shading::Textures;
 
 /// No face.
 pub const NOTHING: u32 = u32::MAX;
 
-/// A scene of one rectangle that emits, and surfaces whose lobes are the same all over them, or
-/// that are diffuse.
+/// The shapes of a scene, and what is the same all over each of them.
 pub struct LaneScene<'a> {
     accel: &'a Accel,
-    faces: Vec<Face>,
     shapes: Vec<ShapeOfLanes>,
-    /// The rectangle, its shape, and its radiance.
-    pub rectangle: &'a RectangleSampler,
-    emitter: ShapeId,
-    /// All its triangles.
-    pub triangles: &'a Node,
-    pub radiance: Rgb,
-}
-
-/// A face.
-struct Face {
-    corner: Vec3,
-    /// Unit normal by its winding.
-    normal: Vec3,
-    /// Along the first texture coordinate, if the material turns with it.
-    tangent: Option<Vec3>,
-    /// The gradients of the weights of the second and third corner: their inner products with the
-    /// offset from the first are the weights.
-    weights: [Vec3; 2],
-    shape: ShapeId,
-}
-
-impl Face {
-    fn of(accel: &Accel, face: usize) -> Self {
-        let shape = accel.shape_of_face[face];
-        let place = shape.0 as usize;
-        let [a, b, c] = accel.mesh.corners(face);
-        let tangents = || {
-            let own = face - accel.first_face[place] as usize;
-            tangents_of_face(accel.scene.shape(shape), own, [b - a, c - a])
-        };
-        let turns = accel.needs_tangent[place];
-        let cross = accel.mesh.face_cross(face);
-        let weights = [(c - a).cross(cross), cross.cross(b - a)];
-        Self {
-            corner: a,
-            normal: cross.normalized(),
-            weights: weights.map(|weight| weight / cross.length_squared()),
-            tangent: turns.then(tangents).flatten().map(|[along_u, _]| along_u),
-            shape,
-        }
-    }
-
-    /// Weights of the corners at a point of its plane.
-    fn barycentric(&self, position: Vec3) -> [f64; 3] {
-        let offset = position - self.corner;
-        let [wb, wc] = self.weights.map(|weight| weight.dot(offset));
-        [1.0 - wb - wc, wb, wc]
-    }
 }
 
 /// What a shape's sides scatter: the one that its normal points to, and the other.
 struct ShapeOfLanes {
-    sides: [Option<Scattering>; 2],
+    sides: [Scattering; 2],
     has_normals: bool,
+    /// True if its material turns with texture coordinates.
+    turns: bool,
+    emitter: Option<EmitterId>,
+    first_face: u32,
+    first_vertex: u32,
 }
 
 /// What a side of a surface does to light.
 enum Scattering {
+    /// Nothing: it is black.
+    Nothing,
     /// It reflects a fraction diffusely.
     Diffuse(Rgb),
     /// The fraction is that of a texture.
     Textured(TextureId),
-    /// It has other lobes.
+    /// It has other lobes, the same everywhere.
     Lobes(Box<Lobes>),
+    /// Its lobes differ from point to point.
+    Differing,
 }
 
 impl<'a> LaneScene<'a> {
-    /// `None` if the scene does not allow it.
-    pub fn of(prepared: &'a PreparedScene) -> Option<Self> {
-        let accel = prepared.accel();
-        let scene: &Scene = &accel.scene;
-        let ([emitter], [sampler]) = (&scene.emitters[..], prepared.emitters()) else {
-            return None;
+    /// The shapes of a scene.
+    pub fn new(accel: &'a Accel) -> Self {
+        let shape = |(i, shape): (usize, &std::sync::Arc<Shape>)| ShapeOfLanes {
+            sides: sides(accel, shape, accel.needs_tangent[i]),
+            has_normals: shape.normals.per_vertex().is_some(),
+            turns: accel.needs_tangent[i],
+            emitter: shape.emitter,
+            first_face: accel.first_face[i],
+            first_vertex: accel.first_vertex[i],
         };
-        let (Emitter::Area { shape, radiance }, DirectionSampler::Area(triangles)) =
-            (emitter, &sampler.directions)
-        else {
-            return None;
-        };
-        let texture = scene.texture(*radiance);
-        let rectangle = triangles.rectangle().filter(|_| texture.is_constant())?;
-        let shapes: Option<Vec<_>> = scene
-            .shapes
-            .iter()
-            .enumerate()
-            .map(|(i, shape)| {
-                Some(ShapeOfLanes {
-                    sides: sides(accel, shape, accel.needs_tangent[i])?,
-                    has_normals: shape.normals.per_vertex().is_some(),
-                })
-            })
-            .collect();
-        let faces = (0..accel.mesh.faces.len()).map(|face| Face::of(accel, face));
-        let mut ids = (0..).map(ShapeId).zip(&scene.shapes);
-        let is_only_one = ids.all(|(id, other)| other.emitter.is_some() == (id == *shape));
-        let shapes = shapes.filter(|_| is_only_one)?;
-        Some(Self {
+        Self {
             accel,
-            shapes,
-            faces: faces.collect(),
-            rectangle,
-            emitter: *shape,
-            triangles: triangles.root(),
-            radiance: texture.texel(0),
-        })
-    }
-
-    /// How far the box around the nearest face is from a point, at least.
-    pub fn distance(&self, point: Vec3) -> f64 {
-        let faces = 0..self.faces.len();
-        let distances = faces.map(|face| {
-            let [a, b, c] = self.accel.mesh.corners(face);
-            let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-            (point - point.max(low).min(high)).length()
-        });
-        distances.fold(f64::INFINITY, f64::min)
-    }
-
-    /// True if a ray that hits a face sees it emit.
-    #[inline]
-    pub fn emits(&self, face: u32, direction: Vec3) -> bool {
-        face != NOTHING && {
-            let face = &self.faces[face as usize];
-            face.shape == self.emitter && face.normal.dot(direction) < 0.0
+            shapes: accel.scene.shapes.iter().enumerate().map(shape).collect(),
         }
     }
 
-    /// Looks up where the plane of the face is that a path hits.
     #[inline]
-    pub fn set_plane(&self, face: u32, lane: usize, vertices: &mut Vertices) {
-        let Face { corner, normal, .. } = self.faces[face as usize];
-        vertices.corner.set(lane, corner);
-        vertices.face_normal.set(lane, normal);
+    fn shape_of(&self, face: u32) -> (ShapeId, &ShapeOfLanes) {
+        let id = self.accel.shape_of_face[face as usize];
+        (id, &self.shapes[id.0 as usize])
     }
 
-    /// Looks up what the face scatters that a path hits, where its position is known; `None` if
-    /// nothing, else what does if it is not diffuse.
+    /// The emitter that a ray sees that hits a face, or nothing.
     #[inline]
-    pub fn look_up(
-        &self,
+    pub fn emitter_towards(&self, face: u32, direction: Vec3) -> Option<EmitterId> {
+        if face == NOTHING {
+            return self.accel.scene.environment();
+        }
+        let emitter = self.shape_of(face).1.emitter?;
+        let front = self.accel.mesh.face_cross(face as usize).dot(direction) < 0.0;
+        front.then_some(emitter)
+    }
+
+    /// Where a ray meets the plane of the face that it hits.
+    pub fn hit(&self, face: u32, origin: Vec3, direction: Vec3) -> Option<Hit> {
+        if face == NOTHING {
+            return None;
+        }
+        let [a, b, c] = self.accel.mesh.corners(face as usize);
+        let (ab, ac) = (b - a, c - a);
+        let cross = ab.cross(ac);
+        let t = (a - origin).dot(cross) / direction.dot(cross);
+        let offset = origin + direction * t - a;
+        let scale = 1.0 / cross.length_squared();
+        let barycentric = [offset.cross(ac), ab.cross(offset)].map(|v| v.dot(cross) * scale);
+        Some(Hit {
+            t,
+            face,
+            barycentric,
+        })
+    }
+
+    /// Looks up the face that a path hits.
+    #[inline]
+    pub fn set_face(&self, face: u32, lane: usize, vertices: &mut Vertices) {
+        let [a, b, c] = self.accel.mesh.corners(face as usize);
+        vertices.corner.set(lane, a);
+        vertices.edges[0].set(lane, b - a);
+        vertices.edges[1].set(lane, c - a);
+    }
+
+    /// Looks up what the face scatters that a path hits, where its position is known; false if it
+    /// scatters nothing. What is not diffuse goes to `lobes`.
+    #[inline]
+    pub fn look_up<'s>(
+        &'s self,
         face: u32,
         lane: usize,
         vertices: &mut Vertices,
-    ) -> Option<Option<Turned<'_>>> {
-        let found = &self.faces[face as usize];
-        let shape = &self.shapes[found.shape.0 as usize];
-        let barycentric = || found.barycentric(vertices.position.get(lane));
+        lobes: &mut LaneLobes<'s>,
+    ) -> bool {
+        let (_, shape) = self.shape_of(face);
         let (outward, out) = match shape.has_normals {
-            false => (found.normal, 1.0),
-            true => self.normal(face, found, barycentric()),
+            false => (vertices.face_normal.get(lane), 1.0),
+            true => self.normal(face, lane, vertices),
         };
-        let (place, side) = if vertices.seen[lane] * out > 0.0 {
-            (0, 1.0)
-        } else {
-            (1, -1.0)
-        };
-        let (side, albedo, lobes) = match shape.sides[place].as_ref()? {
-            Scattering::Diffuse(albedo) => (side, *albedo, None),
-            Scattering::Textured(id) => (side, self.texture(*id, face, found, barycentric()), None),
-            Scattering::Lobes(lobes) => {
-                let tangent = found.tangent;
-                (lobes.front, Rgb::zero(), Some(Turned { lobes, tangent }))
+        let place = usize::from(vertices.seen[lane] * out <= 0.0);
+        vertices.outward.set(lane, outward);
+        lobes.clear(lane);
+        let (side, albedo) = match &shape.sides[place] {
+            Scattering::Nothing => return false,
+            // What is diffuse from behind is the front of the back of a two-sided material.
+            Scattering::Diffuse(albedo) => ([1.0, -1.0][place], *albedo),
+            Scattering::Textured(id) => {
+                ([1.0, -1.0][place], self.texture(*id, face, lane, vertices))
+            }
+            Scattering::Lobes(found) => {
+                lobes.set(lane, found, self.tangent(face, lane, vertices));
+                (found.front, Rgb::zero())
+            }
+            Scattering::Differing => {
+                let seen = [Side::Front, Side::Back][place];
+                let Some(found) = self.resolved(face, lane, vertices, seen) else {
+                    return false;
+                };
+                let front = found.front;
+                lobes.set_own(lane, found, self.tangent(face, lane, vertices));
+                (front, Rgb::zero())
             }
         };
-        vertices.outward.set(lane, outward);
         vertices.side[lane] = side;
         vertices.scattered.set_colour(lane, albedo);
-        Some(lobes)
+        true
     }
 
     /// The interpolated normal, and 1 or -1 for whether the face's own points out.
-    fn normal(&self, face: u32, found: &Face, [wa, wb, wc]: [f64; 3]) -> (Vec3, f64) {
-        let shape = self.accel.scene.shape(found.shape);
-        let normals = shape.normals.per_vertex().expect("it has normals");
-        let first = self.accel.first_vertex[found.shape.0 as usize];
+    fn normal(&self, face: u32, lane: usize, vertices: &Vertices) -> (Vec3, f64) {
+        let (id, shape) = self.shape_of(face);
+        let normals = self.accel.scene.shape(id).normals.per_vertex();
+        let normals = normals.expect("it has normals");
         let corners = self.accel.mesh.faces[face as usize];
-        let [a, b, c] = corners.map(|i| normals[(i - first) as usize]);
-        let out = (a + b + c).dot(found.normal).signum();
+        let [a, b, c] = corners.map(|i| normals[(i - shape.first_vertex) as usize]);
+        let out = (a + b + c).dot(vertices.face_normal.get(lane)).signum();
+        let [wa, wb, wc] = vertices.barycentric(lane);
         ((a * wa + b * wb + c * wc).normalized(), out)
     }
 
-    fn texture(&self, id: TextureId, face: u32, found: &Face, barycentric: [f64; 3]) -> Rgb {
-        let scene = &self.accel.scene;
-        let shape = scene.shape(found.shape);
-        let face = (face - self.accel.first_face[found.shape.0 as usize]) as usize;
-        let point = SurfacePoint {
-            shape: found.shape,
+    /// The point on its shape.
+    fn point(&self, face: u32, lane: usize, vertices: &Vertices) -> SurfacePoint<f64> {
+        let (id, shape) = self.shape_of(face);
+        let face = (face - shape.first_face) as usize;
+        let barycentric = vertices.barycentric(lane);
+        SurfacePoint {
+            shape: id,
             face,
             barycentric,
-            uv: shape.uv(face, barycentric),
-        };
+            uv: self.accel.scene.shape(id).uv(face, barycentric),
+        }
+    }
+
+    fn texture(&self, id: TextureId, face: u32, lane: usize, vertices: &Vertices) -> Rgb {
+        let scene = &self.accel.scene;
         let texel = |id, index| scene.texture(id).texel(index);
-        scene.lookup(id, &point, texel)
+        scene.lookup(id, &self.point(face, lane, vertices), texel)
+    }
+
+    /// Derivatives of the position with respect to the texture coordinates, if the material turns
+    /// with them.
+    fn tangents(&self, face: u32, lane: usize, vertices: &Vertices) -> Option<[Vec3; 2]> {
+        let (id, shape) = self.shape_of(face);
+        let edges = [0, 1].map(|i| vertices.edges[i].get(lane));
+        let face = (face - shape.first_face) as usize;
+        shape
+            .turns
+            .then(|| tangents_of_face(self.accel.scene.shape(id), face, edges))?
+    }
+
+    fn tangent(&self, face: u32, lane: usize, vertices: &Vertices) -> Option<Vec3> {
+        self.tangents(face, lane, vertices)
+            .map(|[along_u, _]| along_u)
+    }
+
+    /// The lobes at a point of a shape on which they differ; `None` if there are none.
+    fn resolved(&self, face: u32, lane: usize, vertices: &Vertices, seen: Side) -> Option<Lobes> {
+        let (id, _) = self.shape_of(face);
+        let tangents = self.tangents(face, lane, vertices);
+        let outward = vertices.outward.get(lane);
+        let mut textures = Textures {
+            eval: &Primal(self.accel),
+            point: &self.point(face, lane, vertices),
+            tangents,
+            frame: match tangents {
+                Some([along_u, _]) => Frame::from_normal_and_tangent(outward, along_u),
+                None => Frame::from_normal(outward),
+            },
+        };
+        let scene = &self.accel.scene;
+        let material = scene.shape(id).bsdf;
+        let resolved = (self.accel.resolver).resolve(scene, material, seen, &mut textures);
+        let has_any = resolved.bsdf.lobes().next().is_some();
+        has_any.then(|| Lobes::new(resolved))
     }
 }
 
-/// What the sides of a shape do to light; `None` if that changes along them, but for the texture
-/// of what is diffuse. `turns` if the material turns with texture coordinates.
-fn sides(accel: &Accel, shape: &Shape, turns: bool) -> Option<[Option<Scattering>; 2]> {
+/// What the sides of a shape do to light. `turns` if the material turns with texture coordinates.
+fn sides(accel: &Accel, shape: &Shape, turns: bool) -> [Scattering; 2] {
     let scene: &Scene = &accel.scene;
     let slots = scene.slots_below(shape.bsdf);
     let mut textures = slots.iter().map(|slot| scene.texture(slot.texture));
     if !textures.all(|texture| texture.is_constant()) {
-        return textured(scene, shape.bsdf);
+        let differing = || [Scattering::Differing, Scattering::Differing];
+        return textured(scene, shape.bsdf).unwrap_or_else(differing);
     }
-    Some([Side::Front, Side::Back].map(|side| {
+    [Side::Front, Side::Back].map(|side| {
         let resolver = &accel.resolver;
         let resolved = resolver.resolve(scene, shape.bsdf, side, &mut Constants(scene));
         let lobes: Vec<_> = resolved.bsdf.lobes().collect();
         match lobes[..] {
-            [] => None,
-            [(1.0, Lobe::Diffuse(lobe))] if !turns => Some(Scattering::Diffuse(lobe.reflectance)),
-            _ => Some(Scattering::Lobes(Box::new(Lobes::new(resolved)))),
+            [] => Scattering::Nothing,
+            [(1.0, Lobe::Diffuse(lobe))] if !turns => Scattering::Diffuse(lobe.reflectance),
+            _ => Scattering::Lobes(Box::new(Lobes::new(resolved))),
         }
-    }))
+    })
 }
 
 /// What both sides of a material reflect, if it is diffuse.
-fn textured(scene: &Scene, id: BsdfId) -> Option<[Option<Scattering>; 2]> {
+fn textured(scene: &Scene, id: BsdfId) -> Option<[Scattering; 2]> {
     let side = |id: BsdfId| match &scene.material(id).bsdf {
         Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => {
             let texture = scene.texture(*reflectance);
@@ -252,7 +255,7 @@ fn textured(scene: &Scene, id: BsdfId) -> Option<[Option<Scattering>; 2]> {
         _ => None,
     };
     match &scene.material(id).bsdf {
-        Bsdf::TwoSided { front, back } => Some([Some(side(*front)?), Some(side(*back)?)]),
-        _ => Some([Some(side(id)?), None]),
+        Bsdf::TwoSided { front, back } => Some([side(*front)?, side(*back)?]),
+        _ => Some([side(id)?, Scattering::Nothing]),
     }
 }

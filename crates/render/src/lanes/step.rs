@@ -6,13 +6,13 @@ use std::f64::consts::FRAC_1_PI;
 
 use capwalk_boundary::Streams;
 use capwalk_geometry::simd::{Computation, Simd};
-use capwalk_math::{Frame, Rgb, Vec3};
+use capwalk_math::{Frame, Vec3};
 use capwalk_scene::lobe::sample_cosine;
 use capwalk_scene::sensor::view::View;
 
+use crate::lanes::lights::Lit;
 use crate::lanes::vectors::{ALL, LANES, Numbers, Vectors, mask_of};
 use crate::light::NARROW;
-use crate::rectangle_sampler::RectangleSampler;
 use crate::triangle_sampler::Node;
 
 /// Random numbers of consecutive dimensions.
@@ -73,9 +73,9 @@ pub struct Vertices {
     /// The rays that led there.
     pub origin: Vectors,
     pub direction: Vectors,
-    /// A corner of the face, and its unit normal by its winding.
+    /// A corner of the face, and the edges from there to the others.
     pub corner: Vectors,
-    pub face_normal: Vectors,
+    pub edges: [Vectors; 2],
     /// The unit shading normal on the outside, and 1 or -1 for the side of it that is the front of
     /// the material that is seen.
     pub outward: Vectors,
@@ -83,12 +83,12 @@ pub struct Vertices {
     /// Fractions of light that are reflected, where surfaces are diffuse; else what their lobes
     /// scatter of the light that was weighed last, over its density if it was drawn from them.
     pub scattered: Vectors,
-    /// Where they are, and 1 or -1 for the side of the face that is seen; known after
-    /// [`Surfaces`].
+    /// Where they are; the unit normal of the face by its winding, and 1 or -1 for the side of it
+    /// that is seen; the weights of the second and third corner. Known after [`Surfaces`].
     pub position: Vectors,
+    pub face_normal: Vectors,
     pub seen: Numbers,
-    /// The solid angle under which the emitter is seen; known after [`Light`].
-    pub solid_angle: Numbers,
+    weights: [Numbers; 2],
 }
 
 impl Vertices {
@@ -97,20 +97,37 @@ impl Vertices {
         origin: Vectors::ZERO,
         direction: Vectors::ZERO,
         corner: Vectors::ZERO,
-        face_normal: Vectors::UP,
+        edges: [Vectors::ZERO; 2],
         outward: Vectors::UP,
         side: [1.0; LANES],
         scattered: Vectors::ZERO,
         position: Vectors::ZERO,
+        face_normal: Vectors::UP,
         seen: [1.0; LANES],
-        solid_angle: [0.0; LANES],
+        weights: [[0.0; LANES]; 2],
     };
-}
 
-/// The normal on the side of the front.
-#[inline(always)]
-fn normal(outward: &Vectors, side: &Numbers, lane: usize) -> Vec3 {
-    outward.get(lane) * side[lane]
+    /// Weights of the corners.
+    #[inline]
+    pub fn barycentric(&self, lane: usize) -> [f64; 3] {
+        let [wb, wc] = [0, 1].map(|i| self.weights[i][lane]);
+        [1.0 - wb - wc, wb, wc]
+    }
+
+    /// The normal on the side of the front.
+    #[inline(always)]
+    pub fn normal(&self, lane: usize) -> Vec3 {
+        self.outward.get(lane) * self.side[lane]
+    }
+
+    /// The shading frame, if it does not turn with texture coordinates.
+    #[inline]
+    pub fn frame(&self, lane: usize) -> Frame {
+        Frame {
+            n: self.normal(lane),
+            ..Frame::from_normal(self.outward.get(lane))
+        }
+    }
 }
 
 /// Intersects the rays with the planes of the faces.
@@ -128,11 +145,24 @@ impl Computation for Surfaces<'_> {
 fn surfaces(vertices: &mut Vertices) {
     for lane in 0..LANES {
         let (origin, direction) = (vertices.origin.get(lane), vertices.direction.get(lane));
-        let normal = vertices.face_normal.get(lane);
-        let rise = direction.dot(normal);
-        let t = (vertices.corner.get(lane) - origin).dot(normal) / rise;
-        vertices.position.set(lane, origin + direction * t);
+        let (corner, [ab, ac]) = (
+            vertices.corner.get(lane),
+            [vertices.edges[0].get(lane), vertices.edges[1].get(lane)],
+        );
+        let cross = ab.cross(ac);
+        let squared = cross.length_squared();
+        let rise = direction.dot(cross);
+        let t = (corner - origin).dot(cross) / rise;
+        let position = origin + direction * t;
+        let offset = position - corner;
+        vertices.position.set(lane, position);
+        vertices
+            .face_normal
+            .set(lane, cross * (1.0 / squared.sqrt()));
         vertices.seen[lane] = if rise > 0.0 { -1.0 } else { 1.0 };
+        // Weights are the areas opposite to the corners.
+        vertices.weights[0][lane] = offset.cross(ac).dot(cross) / squared;
+        vertices.weights[1][lane] = ab.cross(offset).dot(cross) / squared;
     }
 }
 
@@ -156,137 +186,69 @@ impl Computation for Narrow<'_> {
     }
 }
 
-/// The power heuristic's weight of a point sampled on the emitter, which is seen under a solid
-/// angle, over its density; `other` is the density with which else its direction is drawn.
+/// The power heuristic's weight of a direction drawn towards an emitter, over its density, of
+/// which the inverse is given; `other` is the density with which else it is drawn.
 #[inline(always)]
-pub fn weight_over_density(solid_angle: f64, other: f64) -> f64 {
-    let ratio = other * solid_angle;
-    solid_angle / (1.0 + ratio * ratio)
+pub fn weight_over_density(inverse: f64, other: f64) -> f64 {
+    let ratio = other * inverse;
+    inverse / (1.0 + ratio * ratio)
 }
 
-/// The power heuristic's weight of a direction drawn with the density `own`, in which the emitter is
-/// seen. Where that is not seen from the front, nothing else draws it.
-#[inline(always)]
-pub fn weight_beside_points(solid_angle: f64, own: f64) -> f64 {
-    let ratio = own * solid_angle;
-    let squared = ratio * ratio;
-    if solid_angle > 0.0 {
-        squared / (1.0 + squared)
-    } else {
-        1.0
-    }
-}
-
-/// Points sampled on the emitter.
-#[derive(Clone, Copy, Debug)]
-pub struct Lit {
-    /// Unit directions to them, and the distances between which something hides them: zero and
-    /// their own.
-    pub direction: Vectors,
-    pub range: [Numbers; 2],
-    /// Where surfaces are diffuse, the cosine over π, times the weight, over the density; where
-    /// they have lobes, the weight over the density.
-    pub weight: Numbers,
-    /// One bit for each that may be seen.
-    pub mask: u32,
-}
-
-impl Default for Lit {
-    fn default() -> Self {
-        Self {
-            direction: Vectors::UP,
-            range: [[0.0; LANES]; 2],
-            weight: [0.0; LANES],
-            mask: 0,
-        }
-    }
-}
-
-/// Samples points on the emitter.
-pub struct Light<'a> {
-    pub vertices: &'a mut Vertices,
-    pub rectangle: &'a RectangleSampler,
-    pub streams: &'a Streams<LANES>,
-    /// The first of three random numbers, which would choose among several emitters.
-    pub first: u32,
-    /// One bit for each that needs a point.
-    pub lanes: u32,
-    /// One bit for each where directions are drawn from the surface, too.
-    pub of_brdf: u32,
-    /// One bit for each where light comes through the surface, too.
-    pub transmits: u32,
+/// Weighs directions towards emitters where surfaces are diffuse.
+pub struct WeighDiffuse<'a> {
+    pub vertices: &'a Vertices,
     pub lit: &'a mut Lit,
+    /// Directions that are drawn from each surface that draws some, and one bit for each of those.
+    pub bsdf_samples: f64,
+    pub of_brdf: u32,
 }
 
-impl Computation for Light<'_> {
-    type Output = ();
+impl Computation for WeighDiffuse<'_> {
+    /// One bit for each direction that comes from behind.
+    type Output = u32;
     #[inline(always)]
-    fn run<S: Simd>(self, _: S) {
+    fn run<S: Simd>(self, _: S) -> u32 {
         let Self {
             vertices,
-            rectangle,
-            streams,
-            first,
-            lanes,
-            of_brdf,
-            transmits,
             lit,
+            bsdf_samples,
+            of_brdf,
         } = self;
-        // One after the other: a call of `map` would not be compiled for the same instructions.
-        let u = [
-            streams.numbers(first + 1, lanes),
-            streams.numbers(first + 2, lanes),
-        ];
-        let mut solid_angle = [0.0; LANES];
-        let cosines = light(vertices, rectangle, &u, of_brdf, lit, &mut solid_angle);
-        let mut mask = 0;
-        for lane in 0..LANES {
+        let cosines = weigh_diffuse(vertices, lit, bsdf_samples, of_brdf);
+        let mut behind = 0;
+        for (lane, cos) in cosines.into_iter().enumerate() {
             // What is not a number is not dark: the pixel counts it.
-            let is_behind = cosines[lane] <= 0.0 && transmits >> lane & 1 == 0;
-            let is_dark = solid_angle[lane] <= 0.0 || is_behind;
-            mask |= u32::from(!is_dark) << lane;
+            behind |= u32::from(cos <= 0.0) << lane;
         }
-        vertices.solid_angle = solid_angle;
-        lit.mask = mask;
+        behind
     }
 }
 
-/// Finds all but the mask, and the cosines at the surfaces.
 #[inline(always)]
-fn light(
-    vertices: &Vertices,
-    rectangle: &RectangleSampler,
-    u: &[Numbers; 2],
-    of_brdf: u32,
-    lit: &mut Lit,
-    solid_angle: &mut Numbers,
-) -> Numbers {
+fn weigh_diffuse(vertices: &Vertices, lit: &mut Lit, bsdf_samples: f64, of_brdf: u32) -> Numbers {
     let mut cosines = [0.0; LANES];
     for lane in 0..LANES {
-        let (seen, _) = rectangle.seen(vertices.position.get(lane));
-        let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
-        let distance = offset.length();
-        let direction = offset * (1.0 / distance);
-        let cos = direction.dot(normal(&vertices.outward, &vertices.side, lane));
-        solid_angle[lane] = seen.solid_angle;
-        lit.direction.set(lane, direction);
-        lit.range[1][lane] = distance;
+        let cos = lit.direction.get(lane).dot(vertices.normal(lane));
         let has_other = of_brdf >> lane & 1 == 1;
-        let other = if has_other { cos * FRAC_1_PI } else { 0.0 };
-        lit.weight[lane] = cos * FRAC_1_PI * weight_over_density(seen.solid_angle, other);
+        let other = if has_other {
+            bsdf_samples * cos * FRAC_1_PI
+        } else {
+            0.0
+        };
+        lit.weight[lane] = cos * FRAC_1_PI * weight_over_density(lit.inverse_density[lane], other);
         cosines[lane] = cos;
     }
     cosines
 }
 
-/// Adds light from the emitter to what some paths bring: the product of their throughputs, of what
+/// Adds light from emitters to what some paths bring: the product of their throughputs, of what
 /// is scattered, its weights, and the radiance.
 pub struct SumLight<'a> {
     pub light: &'a mut Vectors,
     pub throughput: &'a Vectors,
     pub scattered: &'a Vectors,
     pub weight: &'a Numbers,
-    pub radiance: Rgb,
+    pub radiance: &'a Vectors,
     pub lanes: u32,
 }
 
@@ -302,8 +264,9 @@ impl Computation for SumLight<'_> {
             radiance,
             lanes,
         } = self;
-        for (axis, radiance) in radiance.to_array().into_iter().enumerate() {
-            let [throughput, scattered] = [throughput, scattered].map(|v| &v.0[axis]);
+        for axis in 0..3 {
+            let [throughput, scattered, radiance] =
+                [throughput, scattered, radiance].map(|v| &v.0[axis]);
             sum_light(
                 &mut light.0[axis],
                 throughput,
@@ -322,11 +285,11 @@ fn sum_light(
     throughput: &Numbers,
     scattered: &Numbers,
     weight: &Numbers,
-    radiance: f64,
+    radiance: &Numbers,
     lanes: u32,
 ) {
     for lane in 0..LANES {
-        let more = throughput[lane] * (scattered[lane] * weight[lane] * radiance);
+        let more = throughput[lane] * (scattered[lane] * weight[lane] * radiance[lane]);
         let is_asked = lanes >> lane & 1 == 1;
         // What is not a number must not get into sums of lanes that are not asked.
         light[lane] += if is_asked { more } else { 0.0 };
@@ -339,8 +302,10 @@ pub struct Brdf {
     pub direction: Vectors,
     /// Directions drawn by the cosine, around the third axis.
     pub local: Vectors,
-    /// The weight of light from the emitter, if it is seen there.
-    pub weight: Numbers,
+    /// The densities with which they are drawn.
+    pub pdf: Numbers,
+    /// One bit for each that comes from a specular event, which has no density.
+    pub specular: u32,
 }
 
 impl Default for Brdf {
@@ -348,7 +313,8 @@ impl Default for Brdf {
         Self {
             direction: Vectors::UP,
             local: Vectors::UP,
-            weight: [0.0; LANES],
+            pdf: [0.0; LANES],
+            specular: 0,
         }
     }
 }
@@ -364,6 +330,7 @@ impl Computation for Draw<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
+        self.drawn.specular = 0;
         draw(self.vertices, self.u, self.drawn);
     }
 }
@@ -377,8 +344,7 @@ fn draw(vertices: &Vertices, [first, second]: &[Numbers; 2], drawn: &mut Brdf) {
         let direction = (frame.s * wo.x + frame.t * wo.y + up).normalized();
         drawn.direction.set(lane, direction);
         drawn.local.set(lane, wo);
-        let own = wo.z * FRAC_1_PI;
-        drawn.weight[lane] = weight_beside_points(vertices.solid_angle[lane], own);
+        drawn.pdf[lane] = wo.z * FRAC_1_PI;
     }
 }
 
@@ -386,7 +352,7 @@ fn draw(vertices: &Vertices, [first, second]: &[Numbers; 2], drawn: &mut Brdf) {
 mod tests {
     use capwalk_boundary::Sampler;
     use capwalk_geometry::simd::Instructions;
-    use capwalk_math::Affine;
+    use capwalk_math::{Affine, Rgb};
     use capwalk_scene::builtin;
     use capwalk_scene::primitive::rectangle;
 
@@ -470,7 +436,8 @@ mod tests {
             unreachable!("there are three");
         };
         scattered.set(1, Vec3::splat(f64::NAN));
-        let (radiance, lanes) = (Rgb::new(15.0, 14.0, 12.0), 0b1010_1100_0101_1101);
+        let (colour, lanes) = (Rgb::new(15.0, 14.0, 12.0), 0b1010_1100_0101_1101);
+        let radiance = Vectors::splat(colour.to_array());
         let weight = std::array::from_fn(|lane| 0.1 * lane as f64);
         let mut light = before;
         Instructions::detect().run(SumLight {
@@ -478,11 +445,11 @@ mod tests {
             throughput: &throughput,
             scattered: &scattered,
             weight: &weight,
-            radiance,
+            radiance: &radiance,
             lanes,
         });
         for (lane, &weight) in weight.iter().enumerate() {
-            let reflected = scattered.colour(lane) * weight * radiance;
+            let reflected = scattered.colour(lane) * weight * colour;
             let lit = before.colour(lane) + throughput.colour(lane) * reflected;
             let is_asked = lanes >> lane & 1 == 1;
             let expected = if is_asked { lit } else { before.colour(lane) };
@@ -498,10 +465,7 @@ mod tests {
                 let close = |a: f64, b: f64| (a - b).abs() <= 1e-14 * b;
                 let expected = power_heuristic(own, pdf) / own;
                 assert!(close(weight_over_density(solid_angle, pdf), expected));
-                let expected = power_heuristic(pdf, own);
-                assert!(close(weight_beside_points(solid_angle, pdf), expected));
             }
         }
-        assert_eq!(weight_beside_points(0.0, 0.4), 1.0);
     }
 }

@@ -1,5 +1,8 @@
 //! Samples of lanes against those of [`Tracer`], and which scenes they are for.
 
+use std::fs;
+use std::path::Path;
+
 use capwalk_boundary::{Counts, Draw, Sampler};
 use capwalk_geometry::Mesh;
 use capwalk_math::{Rgb, Vec3};
@@ -16,6 +19,7 @@ use capwalk_scene::{
     Bsdf, BsdfId, Filter, Integrator, Material, Pattern, SamplerKind, Scene, SensorModel,
     ShadingNormals, Shape, Texture, builtin,
 };
+use capwalk_scene_io::load_scene;
 
 use super::*;
 use crate::scene_eval::Primal;
@@ -82,9 +86,31 @@ fn painted(mut scene: Scene) -> Scene {
 /// Sample by sample the same light, but for rays that pass an edge so near that single precision
 /// does not resolve it, and what becomes of these paths.
 fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
-    let prepared = PreparedScene::new(scene);
-    let (scene, tracer) = (prepared.scene(), Tracer::primal(&prepared));
-    let lanes = LaneTracer::like(&tracer, &prepared).expect("for lanes");
+    let Compared {
+        differ, lit, means, ..
+    } = compare(&PreparedScene::new(scene), 20_005);
+    assert!(lit > 5000, "{what}: {lit}");
+    assert!(differ < 8, "{what}: {differ} differ");
+    assert!(
+        (means[0] / means[1] - 1.0).abs() < 0.01,
+        "{what}: {means:?}"
+    );
+}
+
+/// Samples of lanes beside those of the tracer.
+struct Compared {
+    /// How many differ, and how many of the tracer's are not black.
+    differ: u32,
+    lit: u32,
+    /// Means of both.
+    means: [f64; 2],
+    /// The place of one that differs, and both samples.
+    example: Option<([u32; 2], [Rgb; 2])>,
+}
+
+fn compare(prepared: &PreparedScene, samples: u32) -> Compared {
+    let (scene, tracer) = (prepared.scene(), Tracer::primal(prepared));
+    let lanes = LaneTracer::like(&tracer, prepared).expect("an image of light");
     let sampler = Sampler::new(&scene.settings, 3, 64);
     let [width, height] = scene.film.crop_size;
     let place = |i: u32| {
@@ -94,13 +120,17 @@ fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
             stream: sampler.stream(u64::from(pixel), i % 64),
         }
     };
-    // Not a multiple of the lanes.
-    let places: Vec<SamplePlace> = (0..20_005).map(place).collect();
+    let places: Vec<SamplePlace> = (0..samples).map(place).collect();
     let mut taken = Vec::new();
     lanes.take(&places, &mut taken);
     assert_eq!(taken.len(), places.len());
     let eval = Primal(prepared.accel());
-    let (mut differ, mut lit, mut means) = (0, 0, [0.0; 2]);
+    let mut compared = Compared {
+        differ: 0,
+        lit: 0,
+        means: [0.0; 2],
+        example: None,
+    };
     for (place, sample) in places.iter().zip(&taken) {
         let draw = Draw {
             stream: &place.stream,
@@ -108,23 +138,66 @@ fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
         };
         let expected: Rgb = tracer.pixel(&eval, place.pixel, draw);
         let found = Rgb::from(sample.numbers);
-        lit += u32::from(expected.r > 0.0);
+        compared.lit += u32::from(expected.r > 0.0);
         let error = (found - expected).to_array().map(f64::abs);
         let size = expected.max_component().max(1e-3);
-        differ += u32::from(error.iter().any(|&error| error > 1e-9 * size));
-        means[0] += found.r;
-        means[1] += expected.r;
+        // True for NaN.
+        if !error.iter().all(|&error| error <= 1e-9 * size) {
+            compared.differ += 1;
+            compared.example = Some((place.pixel, [found, expected]));
+        }
+        compared.means[0] += found.r;
+        compared.means[1] += expected.r;
     }
-    println!(
-        "{what}: {differ} differ, {lit} lit, {}",
-        means[0] / means[1]
-    );
-    assert!(lit > 5000, "{what}: {lit}");
-    assert!(differ < 8, "{what}: {differ} differ");
+    compared
+}
+
+/// In all scenes that the project has, with their emitters, sensors, textures and depths: the same
+/// samples where rays are single, nearly all where they come in packets.
+#[test]
+fn lanes_sample_all_scenes() {
+    let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests");
+    let files_in = |folder: &str| {
+        let entries = fs::read_dir(tests.join(folder)).expect("a folder of scenes");
+        let entries: Vec<_> = entries
+            .map(|entry| entry.expect("readable").path())
+            .collect();
+        entries
+    };
+    let folders = files_in("scenes")
+        .into_iter()
+        .map(|folder| folder.join("scene.xml"));
+    let mut files: Vec<_> = folders.chain(files_in("parity")).collect();
+    files.retain(|file| file.extension().is_some_and(|kind| kind == "xml") && file.exists());
+    files.sort();
+    let (mut wrong, mut with_packets) = (Vec::new(), 0);
+    for file in &files {
+        let loaded = load_scene(file, &[]).expect("a valid scene");
+        let prepared = PreparedScene::new(loaded.scene);
+        if matches!(prepared.scene().settings.integrator, Integrator::Aov(_)) {
+            continue;
+        }
+        let has_packets = rays::Meets::new(prepared.accel()).has_packets();
+        with_packets += u32::from(has_packets);
+        let compared = compare(&prepared, 403);
+        let allowed = if has_packets { 2 } else { 0 };
+        if compared.differ > allowed {
+            let name = file.strip_prefix(&tests).unwrap_or(file).display();
+            let (
+                Compared {
+                    differ, example, ..
+                },
+                kind,
+            ) = (compared, if has_packets { "packets" } else { "single" });
+            wrong.push(format!("{name} ({kind}): {differ} differ, as {example:?}"));
+        }
+    }
     assert!(
-        (means[0] / means[1] - 1.0).abs() < 0.01,
-        "{what}: {means:?}"
+        files.len() > 100 && with_packets > 20,
+        "{} {with_packets}",
+        files.len()
     );
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
@@ -456,57 +529,29 @@ fn samples_are_the_same_in_other_packets(scene: Scene) {
     }
 }
 
-/// Other scenes are left to the tracer.
+/// What single precision does not resolve has single rays.
 #[test]
-fn other_scenes_are_not_for_lanes() {
-    let is_for_lanes = |scene: Scene| {
+fn other_scenes_have_single_rays() {
+    let has_packets = |scene: Scene| {
         let prepared = PreparedScene::new(scene);
-        LaneTracer::like(&Tracer::primal(&prepared), &prepared).is_some()
+        rays::Meets::new(prepared.accel()).has_packets()
     };
     let room = || scene("box-room", path(None));
-    assert!(is_for_lanes(room()));
+    assert!(has_packets(room()));
     let changed = |change: fn(&mut Scene)| {
         let mut scene = room();
         change(&mut scene);
-        is_for_lanes(scene)
+        has_packets(scene)
     };
     /// The mesh of a shape.
     fn mesh<'a>(scene: &'a mut Scene, name: &str) -> &'a mut Mesh {
         let shape = scene.shapes.iter_mut().find(|shape| shape.id == name);
         &mut std::sync::Arc::make_mut(shape.expect("a shape")).mesh
     }
-    // No emitter, other samples, other sensors.
-    assert!(!changed(|scene| {
-        scene.emitters.clear();
-        let shapes = scene.shapes.iter_mut();
-        shapes.for_each(|shape| std::sync::Arc::make_mut(shape).emitter = None);
-    }));
-    assert!(!changed(|scene| {
-        scene.settings.integrator = Integrator::Direct {
-            emitter_samples: 2,
-            bsdf_samples: 1,
-            hide_emitters: false,
-        };
-    }));
     assert!(!changed(
         |scene| scene.sensor.model = SensorModel::Orthographic
     ));
-    // What is painted and not diffuse.
-    let with = |painted: fn(Scene) -> Scene| {
-        let mut scene = painted(room());
-        let number = scene.add_texture(Texture::colour("number", Rgb::splat(0.3)));
-        let Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) = scene.materials[0].bsdf else {
-            unreachable!("floors are diffuse");
-        };
-        scene.materials[0].bsdf = Bsdf::from(Conductor {
-            eta: number,
-            k: number,
-            specular_reflectance: reflectance,
-        });
-        is_for_lanes(scene)
-    };
-    assert!(with(|scene| scene) && !with(painted));
-    // What single precision does not resolve: a thin box, a board just before a wall, an emitter just
+    // A thin box, a board just before a wall, an emitter just
     // before the ceiling, a large image, a camera that is near, and many faces.
     assert!(!changed(|scene| {
         let positions = &mut mesh(scene, "box").positions;
@@ -518,7 +563,7 @@ fn other_scenes_are_not_for_lanes() {
         let moved = |p: &mut Vec3| *p = *p * 0.5 + Vec3::new(0.0, 0.7, -1.0 + distance);
         board.positions.iter_mut().for_each(moved);
         scene.add_shape(Shape::new("board", board, ShadingNormals::Face, bsdf));
-        is_for_lanes(scene)
+        has_packets(scene)
     };
     assert!(before(0.1) && !before(1e-6));
     assert!(!changed(|scene| {

@@ -1,0 +1,416 @@
+//! Light that reaches the surfaces of lanes from emitters. Points on rectangles are sampled all lanes
+//! at a time, other emitters one by one.
+
+use capwalk_boundary::{Accel, Streams};
+use capwalk_geometry::Hit;
+use capwalk_geometry::simd::{Computation, Instructions, Simd};
+use capwalk_math::{Rgb, Vec3};
+use capwalk_scene::{Emitter, EmitterId};
+
+use crate::emitter_choice::EmitterChoice;
+use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
+use crate::lanes::lobes::LaneLobes;
+use crate::lanes::step::Vertices;
+use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
+use crate::light::{TowardsEmitter, emitter_pdf};
+use crate::plan::LightSampling;
+use crate::prepared::PreparedScene;
+use crate::receiver::Receiver;
+use crate::rectangle_sampler::{Rectangle, RectangleSampler};
+use crate::scene_eval::Primal;
+use crate::surface::{emitted_at, irradiance_of};
+use crate::triangle_sampler::Node;
+
+/// The emitters of a scene.
+pub struct LaneLights<'a> {
+    accel: &'a Accel,
+    samplers: &'a [EmitterSampler],
+    sampling: LightSampling,
+    kinds: Vec<Kind<'a>>,
+    /// All of the only emitter, if that is a surface.
+    only: Option<&'a Node>,
+}
+
+/// What is known of an emitter.
+struct Kind<'a> {
+    /// If it is one.
+    rectangle: Option<&'a RectangleSampler>,
+    /// What it emits, if that is the same everywhere.
+    radiance: Option<Rgb>,
+    /// True if it has no extent.
+    is_delta: bool,
+}
+
+/// Directions towards emitters.
+#[derive(Clone, Debug)]
+pub struct Lit {
+    /// Unit directions, and the distances between which something hides the emitters: zero and
+    /// their own.
+    pub direction: Vectors,
+    pub range: [Numbers; 2],
+    /// The inverse of the density with which all directions are drawn together.
+    pub inverse_density: Numbers,
+    /// Where surfaces are diffuse, the cosine over π, times the weight, over the density; where
+    /// they have lobes, the weight over the density.
+    pub weight: Numbers,
+    /// What the emitters send from there.
+    pub radiance: Vectors,
+    /// One bit for each that leads to an emitter, and for each that leads to one without extent.
+    pub mask: u32,
+    pub of_delta: u32,
+    emitters: [EmitterId; LANES],
+    hits: [Option<Hit>; LANES],
+}
+
+impl Default for Lit {
+    fn default() -> Self {
+        Self {
+            direction: Vectors::UP,
+            range: [[0.0; LANES]; 2],
+            inverse_density: [0.0; LANES],
+            weight: [0.0; LANES],
+            radiance: Vectors::ZERO,
+            mask: 0,
+            of_delta: 0,
+            emitters: [EmitterId(0); LANES],
+            hits: [None; LANES],
+        }
+    }
+}
+
+/// Which emitters surfaces choose.
+pub struct LaneChoices {
+    choices: [EmitterChoice; LANES],
+    rectangles: Rectangles,
+}
+
+impl LaneChoices {
+    /// None yet.
+    pub fn new() -> Self {
+        Self {
+            choices: std::array::from_fn(|_| EmitterChoice::alike(0)),
+            rectangles: Rectangles::NONE,
+        }
+    }
+}
+
+impl<'a> LaneLights<'a> {
+    /// The emitters of a scene.
+    pub fn new(prepared: &'a PreparedScene, sampling: LightSampling) -> Self {
+        let accel = prepared.accel();
+        let samplers = prepared.emitters();
+        let kind = |(emitter, sampler): (&Emitter, &'a EmitterSampler)| {
+            let texture = accel.scene.texture(emitter.radiance());
+            let is_delta = matches!(sampler.directions, DirectionSampler::Delta);
+            let is_map = matches!(sampler.directions, DirectionSampler::Environment(_));
+            let is_same = texture.is_constant() && !is_delta && !is_map;
+            Kind {
+                rectangle: match &sampler.directions {
+                    DirectionSampler::Area(triangles) => triangles.rectangle(),
+                    _ => None,
+                },
+                radiance: is_same.then(|| texture.texel(0)),
+                is_delta,
+            }
+        };
+        let only = match samplers {
+            [sampler] => match &sampler.directions {
+                DirectionSampler::Area(triangles) => Some(triangles.root()),
+                _ => None,
+            },
+            _ => None,
+        };
+        Self {
+            accel,
+            samplers,
+            sampling,
+            kinds: accel
+                .scene
+                .emitters
+                .iter()
+                .zip(samplers)
+                .map(kind)
+                .collect(),
+            only,
+        }
+    }
+
+    /// All of the only emitter, if points on it may be enough where it is seen narrow.
+    pub fn only(&self) -> Option<&'a Node> {
+        self.only.filter(|_| self.sampling.emitter_samples > 0)
+    }
+
+    /// Finds the probabilities of emitters at some surfaces: all the same where `on_emitters` has no
+    /// bit.
+    pub fn choose(
+        &self,
+        choices: &mut LaneChoices,
+        (vertices, lobes): (&Vertices, &LaneLobes<'_>),
+        [lanes, on_emitters]: [u32; 2],
+    ) {
+        let count = self.samplers.len();
+        for lane in lanes_of(lanes) {
+            let is_alike = count == 1 || self.sampling.alike || on_emitters >> lane & 1 == 0;
+            choices.choices[lane] = match is_alike {
+                true => EmitterChoice::alike(count),
+                false => {
+                    let receiver = lobes.receiver(vertices, lane);
+                    let id = |i| EmitterId(i as u32);
+                    EmitterChoice::by_light(self.accel, self.samplers, &receiver, count, id)
+                }
+            };
+        }
+    }
+
+    /// Draws directions towards emitters at some lanes, whatever is in between.
+    pub fn draw(
+        &self,
+        instructions: Instructions,
+        choices: &mut LaneChoices,
+        (vertices, lobes): (&Vertices, &LaneLobes<'_>),
+        streams: &Streams<LANES>,
+        first: u32,
+        lanes: u32,
+        lit: &mut Lit,
+    ) {
+        (lit.mask, lit.of_delta) = (0, 0);
+        let mut rectangles = 0;
+        let choice = match self.samplers.len() {
+            0 | 1 => [0.0; LANES],
+            _ => streams.numbers(first, lanes),
+        };
+        for lane in lanes_of(lanes) {
+            let Some((chosen, probability)) = choices.choices[lane].choose(choice[lane]) else {
+                continue;
+            };
+            let kind = &self.kinds[chosen];
+            lit.emitters[lane] = EmitterId(chosen as u32);
+            let times = f64::from(self.sampling.emitter_samples) * probability;
+            match kind.rectangle {
+                Some(rectangle) => {
+                    choices.rectangles.set(lane, &rectangle.rectangle);
+                    rectangles |= 1 << lane;
+                    // Times the solid angle, which is not known yet.
+                    lit.inverse_density[lane] = 1.0 / times;
+                    lit.hits[lane] = None;
+                }
+                None => {
+                    let u = [1, 2].map(|i| streams.number(lane, first + i));
+                    let receiver = lobes.receiver(vertices, lane);
+                    self.draw_one(chosen, &receiver, u, times, lane, lit);
+                }
+            }
+        }
+        if rectangles != 0 {
+            instructions.run(SampleRectangles {
+                rectangles: &choices.rectangles,
+                vertices,
+                streams,
+                first: first + 1,
+                lanes: rectangles,
+                lit,
+            });
+        }
+    }
+
+    /// Draws a direction towards an emitter that is no rectangle.
+    fn draw_one(
+        &self,
+        chosen: usize,
+        receiver: &Receiver,
+        u: [f64; 2],
+        times: f64,
+        lane: usize,
+        lit: &mut Lit,
+    ) {
+        let (emitter, sampler) = (EmitterId(chosen as u32), &self.samplers[chosen].directions);
+        let drawn = TowardsEmitter::draw(self.accel, emitter, sampler, receiver, u);
+        // False for no density, as well as for a direction that leads nowhere.
+        let Some(drawn) = drawn.filter(|drawn| drawn.pdf > 0.0) else {
+            return;
+        };
+        lit.direction.set(lane, drawn.direction);
+        lit.range[1][lane] = drawn.distance;
+        lit.inverse_density[lane] = 1.0 / (times * drawn.pdf);
+        lit.hits[lane] = drawn.hit;
+        lit.mask |= 1 << lane;
+        lit.of_delta |= u32::from(self.kinds[chosen].is_delta) << lane;
+    }
+
+    /// Finds what some lanes receive from the emitters towards which directions were drawn.
+    pub fn shine(&self, vertices: &Vertices, lanes: u32, lit: &mut Lit) {
+        for lane in lanes_of(lanes) {
+            let emitter = lit.emitters[lane];
+            let kind = &self.kinds[emitter.0 as usize];
+            let (position, direction) = (vertices.position.get(lane), lit.direction.get(lane));
+            let radiance = match kind.radiance {
+                Some(radiance) => radiance,
+                None if kind.is_delta => {
+                    let light = self.accel.delta_light(emitter, position);
+                    let own = self.accel.scene.emitter(emitter);
+                    light.map_or(Rgb::zero(), |light| {
+                        irradiance_of(&Primal(self.accel), own, &light)
+                    })
+                }
+                None => {
+                    let hit = lit.hits[lane].or_else(|| {
+                        let rectangle = kind.rectangle?;
+                        let offset = direction * lit.range[1][lane];
+                        let (face, barycentric) = rectangle.place_of(position + offset);
+                        Some(Hit {
+                            t: lit.range[1][lane],
+                            face: self.accel.emitter_face(emitter, face),
+                            barycentric,
+                        })
+                    });
+                    self.radiance(emitter, hit.as_ref(), position, direction)
+                }
+            };
+            lit.radiance.set_colour(lane, radiance);
+        }
+    }
+
+    /// What an emitter sends back along a ray that hits it, or misses everything.
+    pub fn radiance(
+        &self,
+        emitter: EmitterId,
+        hit: Option<&Hit>,
+        origin: Vec3,
+        direction: Vec3,
+    ) -> Rgb {
+        match self.kinds[emitter.0 as usize].radiance {
+            Some(radiance) => radiance,
+            None => emitted_at(
+                &Primal(self.accel),
+                self.accel,
+                emitter,
+                hit,
+                origin,
+                direction,
+            ),
+        }
+    }
+
+    /// The density with which a direction in which an emitter is seen is drawn by all points on
+    /// emitters together.
+    pub fn density(
+        &self,
+        choices: &LaneChoices,
+        lane: usize,
+        emitter: EmitterId,
+        hit: Option<&Hit>,
+        direction: Vec3,
+        receiver: &Receiver,
+    ) -> f64 {
+        let sampler = &self.samplers[emitter.0 as usize].directions;
+        let probability = choices.choices[lane].probability(emitter.0 as usize);
+        let pdf = emitter_pdf(self.accel, emitter, sampler, hit, direction, receiver);
+        f64::from(self.sampling.emitter_samples) * probability * pdf
+    }
+}
+
+/// A rectangle for each lane.
+struct Rectangles {
+    corner: Vectors,
+    sides: [Vectors; 2],
+    normal: Vectors,
+    lengths: [Numbers; 2],
+}
+
+impl Rectangles {
+    /// None yet.
+    const NONE: Self = Self {
+        corner: Vectors::ZERO,
+        sides: [Vectors::ZERO; 2],
+        normal: Vectors::UP,
+        lengths: [[1.0; LANES]; 2],
+    };
+
+    #[inline]
+    fn set(&mut self, lane: usize, rectangle: &Rectangle) {
+        self.corner.set(lane, rectangle.corner);
+        self.normal.set(lane, rectangle.normal);
+        for i in 0..2 {
+            self.sides[i].set(lane, rectangle.sides[i]);
+            self.lengths[i][lane] = rectangle.lengths[i];
+        }
+    }
+
+    #[inline(always)]
+    fn get(&self, lane: usize) -> Rectangle {
+        Rectangle {
+            corner: self.corner.get(lane),
+            sides: [self.sides[0].get(lane), self.sides[1].get(lane)],
+            normal: self.normal.get(lane),
+            lengths: [self.lengths[0][lane], self.lengths[1][lane]],
+        }
+    }
+}
+
+/// Samples points on rectangles, uniformly by solid angle.
+struct SampleRectangles<'a> {
+    rectangles: &'a Rectangles,
+    vertices: &'a Vertices,
+    streams: &'a Streams<LANES>,
+    /// The first of two random numbers.
+    first: u32,
+    /// One bit for each that needs a point.
+    lanes: u32,
+    lit: &'a mut Lit,
+}
+
+impl Computation for SampleRectangles<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let Self {
+            rectangles,
+            vertices,
+            streams,
+            first,
+            lanes,
+            lit,
+        } = self;
+        // One after the other: a call of `map` would not be compiled for the same instructions.
+        let u = [
+            streams.numbers(first, lanes),
+            streams.numbers(first + 1, lanes),
+        ];
+        let solid_angles = sample_rectangles(rectangles, vertices, &u, lanes, lit);
+        for (lane, solid_angle) in solid_angles.into_iter().enumerate() {
+            // What is not a number is not dark: the pixel counts it.
+            let is_dark = solid_angle <= 0.0;
+            lit.mask |= (lanes >> lane & u32::from(!is_dark)) << lane;
+        }
+    }
+}
+
+#[inline(always)]
+fn sample_rectangles(
+    rectangles: &Rectangles,
+    vertices: &Vertices,
+    u: &[Numbers; 2],
+    lanes: u32,
+    lit: &mut Lit,
+) -> Numbers {
+    let mut solid_angles = [0.0; LANES];
+    for lane in 0..LANES {
+        let rectangle = rectangles.get(lane);
+        let (seen, _) = rectangle.seen(vertices.position.get(lane));
+        let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
+        let distance = offset.length();
+        let is_asked = lanes >> lane & 1 == 1;
+        let (kept, direction) = (lit.direction.get(lane), offset * (1.0 / distance));
+        let factor = if is_asked { seen.solid_angle } else { 1.0 };
+        lit.direction
+            .set(lane, if is_asked { direction } else { kept });
+        lit.range[1][lane] = if is_asked {
+            distance
+        } else {
+            lit.range[1][lane]
+        };
+        lit.inverse_density[lane] *= factor;
+        solid_angles[lane] = seen.solid_angle;
+    }
+    solid_angles
+}
