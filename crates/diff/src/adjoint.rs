@@ -241,6 +241,12 @@ impl Adjoint {
         }
     }
 
+    /// Sums on the numbers of each texture that is wanted.
+    #[cfg(test)]
+    pub fn textures(&self) -> &[Vec<f64>] {
+        &self.textures
+    }
+
     /// Multiplies everything by a factor.
     pub fn scale(&mut self, factor: f64) {
         self.vectors_mut().for_each(|v| *v = *v * factor);

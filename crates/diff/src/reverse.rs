@@ -12,10 +12,10 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
-use capwalk_render::tiles;
+use capwalk_render::tiles::{self, SamplePlace};
 use capwalk_render::{
-    Accumulate, Along, Grid, Missing, MotionFacts, OrderedSum, Part, PartError, Partial,
-    PreparedScene, Statistics, Tracer, Unwatched, Watch,
+    Accumulate, Along, Dependence, Grid, LaneTracer, Missing, MotionFacts, OrderedSum, Part,
+    PartError, Partial, PreparedScene, Statistics, Tracer, Unwatched, Watch,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint, memory};
 use rayon::prelude::*;
@@ -234,7 +234,28 @@ impl<'a> BackwardWork<'a> {
         part: &Part,
         watch: &dyn Watch,
     ) -> Result<Partial<BatchSums>, Refusal> {
-        let mut pass = self.pass(options, watch)?;
+        // Where nothing moves, paths are those of an image.
+        let is_asked_for = |id: TextureId| self.wanted.textures[id.0 as usize];
+        let lanes = match self.wanted.moves() {
+            true => None,
+            false => LaneTracer::differentiating(self.prepared, &is_asked_for),
+        };
+        self.sums_by(lanes.as_ref(), options, work, part, watch)
+    }
+
+    /// [`Self::sums`], of samples that are taken together if lanes take them.
+    fn sums_by(
+        &self,
+        lanes: Option<&LaneTracer<'_>>,
+        options: &GradientOptions,
+        work: Option<u64>,
+        part: &Part,
+        watch: &dyn Watch,
+    ) -> Result<Partial<BatchSums>, Refusal> {
+        let mut pass = Pass {
+            lanes,
+            ..self.pass(options, watch)?
+        };
         let grid = pass.grid;
         let cells = grid.cells().filter(|&cell| part.contains(cell));
         pass.total = cells
@@ -288,6 +309,7 @@ impl<'a> BackwardWork<'a> {
             wanted,
             points: wanted.points(accel, field.boundaries),
             tracer,
+            lanes: None,
             field,
             sampler: Sampler::new(&scene.settings, options.seed, options.spp),
             spp: options.spp,
@@ -437,6 +459,17 @@ impl BatchSums {
         }
     }
 
+    /// Adds the covectors of a sample, if all of them are numbers.
+    fn add_all(&mut self, covectors: &[(Target, Vec3)]) {
+        if covectors.iter().all(|(_, covector)| covector.is_finite()) {
+            for &(target, covector) in covectors {
+                self.mean.add(target, covector);
+            }
+        } else {
+            self.non_finite += 1;
+        }
+    }
+
     fn add_to(&self, statistics: &mut Statistics) {
         let bands = self.bands.iter();
         let taken = bands.flat_map(|band| (0..band.pixels).map(|_| band.taken));
@@ -472,6 +505,8 @@ struct Pass<'a> {
     /// Which points of the boundaries depend on what is wanted.
     points: Vec<bool>,
     tracer: Tracer<'a>,
+    /// Takes samples in which nothing moves.
+    lanes: Option<&'a LaneTracer<'a>>,
     field: Field<'a>,
     sampler: Sampler,
     spp: u32,
@@ -497,6 +532,10 @@ struct Memory {
     tape: Tape,
     adjoints: Adjoints,
     covectors: Vec<(Target, Vec3)>,
+    /// Samples that are taken together: which, the covectors on their light, and those on the scene.
+    places: Vec<SamplePlace>,
+    on_light: Vec<Rgb>,
+    on_scene: Vec<Vec<(Target, Vec3)>>,
 }
 
 impl Pass<'_> {
@@ -568,7 +607,16 @@ impl Pass<'_> {
     ) -> bool {
         let pixels = self.pixels(band);
         let work = pixels.len() as u64;
-        for pixel in pixels {
+        if let Some(lanes) = self.lanes {
+            for first in pixels.clone().step_by(LOOK_UP) {
+                if can_stop && self.watch.should_stop() {
+                    return false;
+                }
+                let some = first..pixels.end.min(first + LOOK_UP);
+                self.add_together(lanes, some, number, sums, memory);
+            }
+        }
+        for pixel in pixels.filter(|_| self.lanes.is_none()) {
             if can_stop && pixel % LOOK_UP == 0 && self.watch.should_stop() {
                 return false;
             }
@@ -595,12 +643,94 @@ impl Pass<'_> {
         }
     }
 
+    /// Adds a sample of each of some pixels in which nothing moves.
+    fn add_together(
+        &self,
+        lanes: &LaneTracer<'_>,
+        pixels: Range<usize>,
+        number: u32,
+        sums: &mut BatchSums,
+        memory: &mut Memory,
+    ) {
+        let Memory {
+            tape,
+            adjoints,
+            places,
+            on_light,
+            on_scene,
+            ..
+        } = memory;
+        let width = self.adjoint.width;
+        places.clear();
+        places.extend(pixels.clone().map(|pixel| SamplePlace {
+            pixel: [(pixel % width) as u32, (pixel / width) as u32],
+            stream: self.sampler.stream(pixel as u64, number),
+        }));
+        on_light.clear();
+        on_light.extend_from_slice(&self.adjoint.pixels[pixels]);
+        on_scene.resize(LOOK_UP, Vec::new());
+        on_scene.iter_mut().for_each(Vec::clear);
+        let light = lanes.differentiate(places, on_light, |sample, dependence| {
+            self.pull_back(dependence, tape, adjoints, &mut on_scene[sample]);
+        });
+        for (light, covectors) in light.iter().zip(&*on_scene) {
+            if light.is_finite() {
+                sums.radiance[1] += light.mean();
+            }
+            sums.add_all(covectors);
+        }
+    }
+
+    /// From the covector on what is made of numbers of the scene to those on the numbers.
+    fn pull_back(
+        &self,
+        dependence: Dependence,
+        tape: &mut Tape,
+        adjoints: &mut Adjoints,
+        covectors: &mut Vec<(Target, Vec3)>,
+    ) {
+        let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
+        let results = match dependence {
+            // It needs no tape: values of textures are sums of texels.
+            Dependence::Reflectance {
+                texture,
+                point,
+                covector,
+            } => {
+                let covector = Vec3::from(covector.to_array());
+                let texel = |id: TextureId, index, weight| {
+                    if self.wanted.textures[id.0 as usize] {
+                        covectors.push((Target::Texel(id, index), covector * weight));
+                    }
+                };
+                return self.scene.texel_weights(texture, &point, texel);
+            }
+            Dependence::Emitted {
+                emitter,
+                hit,
+                ray,
+                covector,
+            } => {
+                let radiance = self.tracer.emission(&eval, emitter, hit.as_ref(), ray);
+                [(radiance, covector), (Rgb::zero(), Rgb::zero())]
+            }
+            Dependence::Scattered { hit, ray, arrives } => {
+                let [light, onward] = self.tracer.scattered(&eval, &hit, ray, &arrives);
+                let of = |i: usize| arrives[i].map_or(Rgb::zero(), |light| light.covector);
+                [(light, of(0)), (onward, of(1))]
+            }
+        };
+        eval.pull_back(&results, adjoints, covectors);
+        tape.clear();
+    }
+
     /// Adds one sample of one pixel.
     fn add_sample(&self, pixel: usize, number: u32, sums: &mut BatchSums, memory: &mut Memory) {
         let Memory {
             tape,
             adjoints,
             covectors,
+            ..
         } = memory;
         let width = self.adjoint.width;
         let position = [(pixel % width) as u32, (pixel / width) as u32];
@@ -613,7 +743,8 @@ impl Pass<'_> {
         let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
         let light = self.tracer.pixel(&eval, position, draw);
         // Backwards through the record: from the pixel's covector to those on the scene.
-        eval.pull_back(light, self.adjoint.pixels[pixel], adjoints, covectors);
+        covectors.clear();
+        eval.pull_back(&[(light, self.adjoint.pixels[pixel])], adjoints, covectors);
         let radiance = [counts.missing.get(), light.value()].map(Rgb::mean);
         tape.clear();
         sums.cone_queries += counts.queries.get();
@@ -622,12 +753,89 @@ impl Pass<'_> {
             sums.radiance[0] += radiance[0];
             sums.radiance[1] += radiance[1];
         }
-        if covectors.iter().all(|(_, covector)| covector.is_finite()) {
-            for &(target, covector) in &*covectors {
-                sums.mean.add(target, covector);
+        sums.add_all(covectors);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::path::Path;
+
+    use capwalk_render::RenderOptions;
+    use capwalk_scene_io::load_scene;
+
+    use super::*;
+
+    /// In all scenes that the project has, with respect to all numbers that move no ray: what is
+    /// kept of paths that are traced together gives the derivatives of the same samples that a tape
+    /// has recorded.
+    #[test]
+    fn lanes_differentiate_as_tapes_do() {
+        let tests = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests");
+        let files_in = |folder: &str| {
+            let entries = fs::read_dir(tests.join(folder)).expect("a folder of scenes");
+            let paths = entries.map(|entry| entry.expect("readable").path());
+            paths.collect::<Vec<_>>()
+        };
+        let folders = files_in("scenes").into_iter();
+        let mut files: Vec<_> = folders
+            .map(|folder| folder.join("scene.xml"))
+            .chain(files_in("parity"))
+            .filter(|file| file.extension().is_some_and(|kind| kind == "xml") && file.exists())
+            .collect();
+        files.sort();
+        let (mut wrong, mut compared) = (Vec::new(), 0);
+        for file in files {
+            let prepared = PreparedScene::new(load_scene(&file, &[]).expect("a scene").scene);
+            let scene = prepared.scene();
+            let mut wanted = Wanted::by(&Tangent::zero(scene));
+            wanted.textures = vec![true; scene.textures.len()];
+            for shape in &scene.shapes {
+                for slot in scene.slots_below(shape.bsdf) {
+                    let id = scene.numbers_of(slot.texture, shape);
+                    wanted.textures[id.0 as usize] &= !slot.quantity.moves_rays();
+                }
             }
-        } else {
-            sums.non_finite += 1;
+            let is_asked_for = |id: TextureId| wanted.textures[id.0 as usize];
+            let Some(lanes) = LaneTracer::differentiating(&prepared, &is_asked_for) else {
+                continue;
+            };
+            let [width, height] = scene.film.crop_size.map(|n| n as usize);
+            let colour = |i: usize| Rgb::new(1.0, 0.5 + (i % 7) as f64 * 0.1, -0.3);
+            let adjoint = Image {
+                width,
+                height,
+                pixels: (0..width * height).map(colour).collect(),
+            };
+            let options = GradientOptions::new(RenderOptions::new(2, 5));
+            let work = BackwardWork::new(&prepared, &adjoint, wanted.clone(), options);
+            let part = Part::whole(work.grid());
+            let numbers = |lanes: Option<&LaneTracer<'_>>| {
+                let sums = work.sums_by(lanes, &options, None, &part, &Unwatched);
+                let sums = sums.expect("nothing moves").into_sums();
+                let of = |sums: &BatchSums| sums.mean.textures().concat();
+                let mut all = sums.iter().map(of);
+                let first = all.next().expect("a batch");
+                all.fold(first, |sum, next| {
+                    sum.iter().zip(next).map(|(a, b)| a + b).collect()
+                })
+            };
+            let (found, expected) = (numbers(Some(&lanes)), numbers(None));
+            let largest = expected.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
+            let errors = found.iter().zip(&expected).map(|(a, b)| (a - b).abs());
+            // Packets let single rays pass edges on the other side.
+            let allowed = if lanes.has_packets() { 1e-3 } else { 1e-7 } * largest;
+            let off = errors
+                .filter(|error| error.is_nan() || *error > allowed)
+                .count();
+            compared += u32::from(largest > 0.0);
+            if off > 0 {
+                let name = file.strip_prefix(&tests).unwrap_or(&file).display();
+                wrong.push(format!("{name}: {off} numbers of {}", found.len()));
+            }
         }
+        assert!(compared > 80, "{compared}");
+        assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     }
 }

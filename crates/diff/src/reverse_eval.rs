@@ -109,19 +109,19 @@ impl<'a, 't> Reverse<'a, 't> {
         (direction, jacobian)
     }
 
-    /// Collects the covectors on the scene's numbers that follow from the
-    /// adjoint of a result: the tape backwards, and at each mark out of it.
+    /// Appends the covectors on the scene's numbers that follow from the
+    /// adjoints of results: the tape backwards, and at each mark out of it.
     /// `adjoints` is memory.
     pub fn pull_back(
         self,
-        result: Rgb<Var<'t>>,
-        adjoint: Rgb,
+        results: &[(Rgb<Var<'t>>, Rgb)],
         adjoints: &mut Adjoints,
         covectors: &mut Vec<(Target, Vec3)>,
     ) {
-        covectors.clear();
         adjoints.reset(self.tape);
-        adjoints.add_colour(result, adjoint);
+        for &(result, adjoint) in results {
+            adjoints.add_colour(result, adjoint);
+        }
         let mut end = self.tape.len();
         for mark in self.marks.into_inner().into_iter().rev() {
             // What was recorded behind the mark passes its adjoints on to the mark.

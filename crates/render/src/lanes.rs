@@ -15,6 +15,7 @@
 //! it is more than two thousandths of a pixel.
 
 mod frames;
+mod gradient;
 mod lights;
 mod lobes;
 mod rays;
@@ -28,17 +29,19 @@ mod vectors;
 use capwalk_boundary::{Accel, Stream, Streams};
 use capwalk_geometry::simd::Instructions;
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::EmitterId;
 use capwalk_scene::sensor::view::View;
+use capwalk_scene::{EmitterId, Shape, TextureId};
 
 use crate::film::{FILM, uniform_disk};
 use crate::light::power_heuristic;
 use crate::pixel::Supports;
-use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS, Plan};
+use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS, LightSampling, Plan};
 use crate::prepared::PreparedScene;
-use crate::radiance::RR_MAX;
+use crate::radiance::{RR_MAX, RR_MIN};
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
+use gradient::Step;
+pub use gradient::{Arriving, Dependence};
 use lights::{LaneChoices, LaneLights, Lit};
 use lobes::LaneLobes;
 use rays::{ALL_BEHIND, LaneRays, Meets};
@@ -54,6 +57,8 @@ pub struct LaneTracer<'a> {
     accel: &'a Accel,
     supports: Supports,
     plan: Plan,
+    /// The smallest probability that a path survives roulette.
+    least_survival: f64,
     scene: LaneScene<'a>,
     lights: LaneLights<'a>,
     meets: Meets<'a>,
@@ -76,6 +81,10 @@ struct Paths<'a> {
     faces: [u32; LANES],
     /// How many rays each has taken.
     rays: [u64; LANES],
+    /// Their vertices, if light is to be differentiated, and what the camera sees of emitters, on a
+    /// face and along a ray.
+    steps: Option<Vec<Step>>,
+    seen: [Option<(EmitterId, u32, [Vec3; 2])>; LANES],
 }
 
 impl Paths<'_> {
@@ -92,7 +101,32 @@ impl Paths<'_> {
             drawn: Brdf::default(),
             faces: [NOTHING; LANES],
             rays: [0; LANES],
+            steps: None,
+            seen: [None; LANES],
         }
+    }
+
+    /// Keeps a vertex of some lanes, if light is to be differentiated.
+    fn keep(&mut self, active: u32) {
+        if let Some(mut steps) = self.steps.take() {
+            steps.push(Step::new(active, self));
+            self.steps = Some(steps);
+        }
+    }
+
+    /// Keeps the directions drawn there.
+    fn keep_drawn(&mut self, drawn: u32) {
+        if let Some(mut steps) = self.steps.take() {
+            if let Some(step) = steps.last_mut() {
+                step.set_drawn(drawn, self);
+            }
+            self.steps = Some(steps);
+        }
+    }
+
+    /// The vertex that is sampled at, if light is to be differentiated.
+    fn step(&mut self) -> Option<&mut Step> {
+        self.steps.as_mut()?.last_mut()
     }
 
     /// Counts a ray of some lanes.
@@ -102,21 +136,64 @@ impl Paths<'_> {
 }
 
 impl<'a> LaneTracer<'a> {
-    /// A tracer that does the same as another one; `None` if that does more than images of light.
+    /// A tracer that takes the samples of another one; `None` if those are of something else than
+    /// light.
     pub fn like(tracer: &Tracer<'a>, prepared: &'a PreparedScene) -> Option<Self> {
-        let (accel, plan) = (tracer.accel, tracer.plan);
-        let is_plain = plan.aov.is_none()
+        let is_plain = tracer.plan.aov.is_none()
             && tracer.leaves_out == LeavesOut::Nothing
             && tracer.moving.is_none();
+        is_plain.then(|| Self::new(tracer.plan, prepared, &|_| false))
+    }
+
+    /// A tracer that also differentiates light with respect to some textures; `None` if that moves
+    /// rays, or a vertex takes several samples.
+    pub fn differentiating(
+        prepared: &'a PreparedScene,
+        is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
+    ) -> Option<Self> {
+        let scene = prepared.scene();
+        let plan = Plan::new(scene);
+        let LightSampling {
+            emitter_samples,
+            bsdf_samples,
+            ..
+        } = plan.sampling;
+        let bends = |shape: &Shape| {
+            let mut slots = scene.slots_below(shape.bsdf).into_iter();
+            slots.any(|slot| {
+                slot.quantity.moves_rays() && is_asked_for(scene.numbers_of(slot.texture, shape))
+            })
+        };
+        let is_plain = plan.aov.is_none()
+            && emitter_samples.max(bsdf_samples) <= 1
+            && !scene.shapes.iter().any(|shape| bends(shape));
         is_plain.then(|| Self {
+            least_survival: RR_MIN,
+            ..Self::new(plan, prepared, is_asked_for)
+        })
+    }
+
+    fn new(
+        plan: Plan,
+        prepared: &'a PreparedScene,
+        is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
+    ) -> Self {
+        let accel = prepared.accel();
+        Self {
             accel,
             supports: Supports::new(&accel.scene.film),
             plan,
-            scene: LaneScene::new(accel),
-            lights: LaneLights::new(prepared, plan.sampling),
+            least_survival: 0.0,
+            scene: LaneScene::new(accel, is_asked_for),
+            lights: LaneLights::new(prepared, plan.sampling, is_asked_for),
             meets: Meets::new(accel),
             instructions: Instructions::detect(),
-        })
+        }
+    }
+
+    /// True if rays come in packets, in single precision.
+    pub fn has_packets(&self) -> bool {
+        self.meets.has_packets()
     }
 
     /// Appends the samples of some places.
@@ -131,12 +208,13 @@ impl<'a> LaneTracer<'a> {
         }
     }
 
+    /// Gives what each is weighted by in its pixel.
     fn take_some<'s>(
         &'s self,
         places: &[SamplePlace],
         paths: &mut Paths<'s>,
         taken: &mut Vec<Sample<3>>,
-    ) {
+    ) -> Numbers {
         // Samples of the film, and the camera's rays through them.
         for (lane, place) in places.iter().enumerate() {
             paths.streams.set(lane, place.stream);
@@ -168,6 +246,10 @@ impl<'a> LaneTracer<'a> {
         };
         paths.faces = self.meets.first_hits(&rays);
         paths.rays = [1; LANES];
+        paths.seen = [None; LANES];
+        if let Some(steps) = &mut paths.steps {
+            steps.clear();
+        }
         self.add_seen(paths, mask);
         self.reflect(paths, mask);
         taken.extend((0..places.len()).map(|lane| Sample {
@@ -175,6 +257,7 @@ impl<'a> LaneTracer<'a> {
             effort: EFFORT_OF_LANE + self.meets.effort(paths.rays[lane]),
             ..Sample::default()
         }));
+        weights
     }
 
     /// Sets the camera's rays, and gives the distances between which they meet something.
@@ -220,6 +303,7 @@ impl<'a> LaneTracer<'a> {
             if let Some(emitter) = self.scene.emitter_towards(face, direction) {
                 let seen = self.emitted(emitter, face, [origin, direction]);
                 paths.light.set_colour(lane, seen);
+                paths.seen[lane] = Some((emitter, face, [origin, direction]));
             }
         }
     }
@@ -244,6 +328,7 @@ impl<'a> LaneTracer<'a> {
             if active == 0 {
                 return;
             }
+            paths.keep(active);
             let goes_on = plan.reaches(depth + 3);
             let first = plan.vertex_numbers(depth);
             let Paths {
@@ -266,6 +351,7 @@ impl<'a> LaneTracer<'a> {
             for i in (0..sampling.bsdf_samples).rev() {
                 drawn = self.draw_brdf(paths, of_brdf, first + i * BSDF_NUMBERS);
             }
+            paths.keep_drawn(drawn);
             if !goes_on {
                 return;
             }
@@ -369,6 +455,9 @@ impl<'a> LaneTracer<'a> {
             radiance: &lit.radiance,
             lanes: seen,
         });
+        if let Some(step) = paths.steps.iter_mut().flatten().last() {
+            step.set_lit(seen, lit, &vertices.scattered);
+        }
         paths.count_rays(wanted);
     }
 
@@ -444,6 +533,9 @@ impl<'a> LaneTracer<'a> {
             }
         };
         let radiance = (self.lights).radiance(emitter, hit.as_ref(), position, direction);
+        if let Some(step) = paths.step() {
+            step.set_met(lane, emitter, radiance, weight);
+        }
         let factor = paths.throughput.colour(lane) * paths.vertices.scattered.colour(lane);
         let light = paths.light.colour(lane) + factor * radiance * (weight / samples);
         paths.light.set_colour(lane, light);
@@ -460,13 +552,17 @@ impl<'a> LaneTracer<'a> {
         let mut alive = 0;
         for lane in lanes_of(active) {
             let throughput = paths.throughput.colour(lane);
-            if throughput == Rgb::zero() {
+            if throughput == Rgb::zero() && paths.steps.is_none() {
                 continue;
             }
             if is_long {
-                let survival = throughput.max_component().clamp(0.0, RR_MAX);
+                let least = self.least_survival;
+                let survival = throughput.max_component().clamp(least, RR_MAX);
                 if numbers[lane] >= survival {
                     continue;
+                }
+                if let Some(step) = paths.step() {
+                    step.set_survival(lane, survival);
                 }
                 paths
                     .throughput

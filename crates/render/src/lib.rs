@@ -62,6 +62,7 @@ pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Estimate, Missing, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
 pub use image::{RenderWork, render};
+pub use lanes::{Arriving, Dependence, LaneTracer};
 pub use motion_facts::MotionFacts;
 pub use options::{RenderOptions, Silent, Unwatched, Watch};
 pub use ordered_sum::{Accumulate, CannotMerge, OrderedSum};

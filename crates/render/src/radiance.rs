@@ -22,12 +22,14 @@
 use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Rgb, Vec3};
+use capwalk_scene::emitter::delta::DeltaLight;
 use capwalk_scene::lobe::{Event, Specular};
 use capwalk_scene::sensor::view::{View, ViewRay};
 use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
+use crate::lanes::Arriving;
 use crate::light::{Continuation, emitter_towards, sample_lights};
 use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
@@ -252,6 +254,59 @@ impl Tracer<'_> {
         light
     }
 
+    /// What a surface that is hit by a ray scatters of light from directions, the BSDF times the
+    /// cosine; of a specular event the fraction of light.
+    pub fn scattered<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        hit: &Hit,
+        ray: [Vec3; 2],
+        arrives: &[Option<Arriving>; 2],
+    ) -> [Rgb<R>; 2] {
+        let [origin, direction] = ray.map(Vec3::constant);
+        let surface = surface_at(eval, self.accel, hit, origin, direction);
+        let mut vertex = black_vertex_at(&surface, direction);
+        add_lobes(eval, self.accel, &surface, &mut vertex);
+        arrives.map(|light| match light {
+            None => Rgb::zero(),
+            Some(Arriving {
+                specular: Some(event),
+                ..
+            }) => vertex.specular(event, [origin, direction]).1,
+            Some(Arriving { direction, .. }) => vertex.eval(Vec3::constant(direction)),
+        })
+    }
+
+    /// What an emitter sends back along a ray that hits it, or misses everything; of an emitter
+    /// without extent the irradiance at the ray's origin.
+    pub fn emission<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        emitter: EmitterId,
+        hit: Option<&Hit>,
+        ray: [Vec3; 2],
+    ) -> Rgb<R> {
+        let [origin, direction] = ray.map(Vec3::constant);
+        match self.delta_light(eval, emitter, origin) {
+            Some(light) => irradiance_of(eval, self.accel.scene.emitter(emitter), &light),
+            None => emitted_at(eval, self.accel, emitter, hit, origin, direction),
+        }
+    }
+
+    /// The light of an emitter without extent that reaches a point.
+    fn delta_light<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        id: EmitterId,
+        point: Vec3<R>,
+    ) -> Option<DeltaLight<R>> {
+        let first = self.accel.anchor(id);
+        let anchor = |i: usize| eval.boundary_point(first + i as u32);
+        let number = |id| eval.texel(id, 0).r;
+        let emitter = self.accel.scene.emitter(id);
+        emitter.delta_light(point, anchor, number)
+    }
+
     /// True if no field has the silhouettes that are seen by a specular event.
     pub(crate) fn misses(&self, chain: SpecularChain, event: Specular) -> bool {
         chain.after(event.event).is_none() || self.misses_mirrors()
@@ -320,10 +375,8 @@ impl Tracer<'_> {
                 }
                 // An emitter without extent is seen in one direction, wherever that moves.
                 let emitter = self.accel.scene.emitter(sample.emitter);
-                let first = self.accel.anchor(sample.emitter);
-                let anchor = |i: usize| eval.boundary_point(first + i as u32);
-                let number = |id| eval.texel(id, 0).r;
-                if let Some(delta) = emitter.delta_light(vertex.position, anchor, number) {
+                let delta = self.delta_light(eval, sample.emitter, vertex.position);
+                if let Some(delta) = delta {
                     let f = vertex.eval(delta.direction);
                     light += f * irradiance_of(eval, emitter, &delta) * weight;
                     return;

@@ -42,6 +42,7 @@ pub fn add_lobes<R: Real, W: SceneEval<R>>(
 ) -> bool {
     let textures = &mut Textures {
         eval,
+        is_asked_for: &|id| eval.is_asked_for(id),
         point: &surface.point,
         tangents: surface.tangents,
         frame: vertex.frame,
@@ -66,6 +67,8 @@ pub fn add_lobes<R: Real, W: SceneEval<R>>(
 pub struct Textures<'a, R, W> {
     /// The numbers of the scene.
     pub eval: &'a W,
+    /// True for a texture with respect to whose texels derivatives are asked for.
+    pub is_asked_for: &'a dyn Fn(TextureId) -> bool,
     /// The point on the shape.
     pub point: &'a SurfacePoint<R>,
     /// Derivatives of the position with respect to the texture coordinates, if they span the face.
@@ -98,7 +101,7 @@ impl<R: Real, W: SceneEval<R>> TexturesAt<R> for Textures<'_, R, W> {
         let scene = self.eval.scene();
         let shape = scene.shape(self.point.shape);
         let numbers = scene.numbers_of(id, shape);
-        self.eval.is_asked_for(numbers)
+        (self.is_asked_for)(numbers)
     }
 }
 
@@ -155,6 +158,7 @@ mod tests {
         let frame = Frame::from_normal_and_tangent(surface.outward, along_u);
         let mut textures = Textures {
             eval: &eval,
+            is_asked_for: &|_| false,
             point: &surface.point,
             tangents: surface.tangents,
             frame,

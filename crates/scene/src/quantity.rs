@@ -43,6 +43,14 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// True if rays that leave a surface move with it.
+    pub fn moves_rays(self) -> bool {
+        matches!(
+            self,
+            Self::RefractiveIndex { bends: true } | Self::Normal | Self::Height
+        )
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {

@@ -20,6 +20,9 @@ pub struct SurfacePoint<R> {
     pub uv: [R; 2],
 }
 
+/// The most texels that a value is made of: those around a point of a bitmap.
+const MOST_TEXELS: usize = 4;
+
 impl Scene {
     /// The texture whose numbers another one shows on a shape: itself, or the
     /// shape's attribute that it looks up.
@@ -39,6 +42,32 @@ impl Scene {
             | Pattern::PerVertex
             | Pattern::PerFace
             | Pattern::Environment => id,
+        }
+    }
+
+    /// The texels of which the value of a texture at a point is a weighted sum, by the texture that
+    /// has them, with their weights.
+    pub fn texel_weights(
+        &self,
+        id: TextureId,
+        at: &SurfacePoint<f64>,
+        mut found: impl FnMut(TextureId, usize, f64),
+    ) {
+        let mut texels = [(id, 0); MOST_TEXELS];
+        let mut count = 0;
+        self.lookup(id, at, |id, index| {
+            texels[count] = (id, index);
+            count += 1;
+            Rgb::zero()
+        });
+        // The value is linear in each: it is the weight if one is 1 and the others are 0.
+        for (i, &(numbers, index)) in texels[..count].iter().enumerate() {
+            let mut asked = 0..;
+            let only = |_, _| Rgb::splat(f64::from(u8::from(asked.next() == Some(i))));
+            let weight = self.lookup(id, at, only).r;
+            if weight != 0.0 {
+                found(numbers, index, weight);
+            }
         }
     }
 

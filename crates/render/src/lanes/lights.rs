@@ -5,7 +5,7 @@ use capwalk_boundary::{Accel, Streams};
 use capwalk_geometry::Hit;
 use capwalk_geometry::simd::{Computation, Instructions, Simd};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::{Emitter, EmitterId};
+use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
 
 use crate::emitter_choice::EmitterChoice;
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
@@ -29,6 +29,8 @@ pub struct LaneLights<'a> {
     kinds: Vec<Kind<'a>>,
     /// All of the only emitter, if that is a surface.
     only: Option<&'a Node>,
+    /// Those whose numbers are asked for.
+    asked: Vec<bool>,
 }
 
 /// What is known of an emitter.
@@ -60,6 +62,13 @@ pub struct Lit {
     pub of_delta: u32,
     emitters: [EmitterId; LANES],
     hits: [Option<Hit>; LANES],
+}
+
+impl Lit {
+    /// The emitter towards which the direction of a lane leads.
+    pub fn emitter(&self, lane: usize) -> EmitterId {
+        self.emitters[lane]
+    }
 }
 
 impl Default for Lit {
@@ -96,7 +105,11 @@ impl LaneChoices {
 
 impl<'a> LaneLights<'a> {
     /// The emitters of a scene.
-    pub fn new(prepared: &'a PreparedScene, sampling: LightSampling) -> Self {
+    pub fn new(
+        prepared: &'a PreparedScene,
+        sampling: LightSampling,
+        is_asked_for: &dyn Fn(TextureId) -> bool,
+    ) -> Self {
         let accel = prepared.accel();
         let samplers = prepared.emitters();
         let kind = |(emitter, sampler): (&Emitter, &'a EmitterSampler)| {
@@ -124,6 +137,9 @@ impl<'a> LaneLights<'a> {
             accel,
             samplers,
             sampling,
+            asked: (accel.scene.emitters.iter())
+                .map(|emitter| is_asked(&accel.scene, emitter, is_asked_for))
+                .collect(),
             kinds: accel
                 .scene
                 .emitters
@@ -138,6 +154,11 @@ impl<'a> LaneLights<'a> {
     /// All of the only emitter, if points on it may be enough where it is seen narrow.
     pub fn only(&self) -> Option<&'a Node> {
         self.only.filter(|_| self.sampling.emitter_samples > 0)
+    }
+
+    /// True if numbers of an emitter are asked for.
+    pub fn is_asked_for(&self, emitter: EmitterId) -> bool {
+        self.asked[emitter.0 as usize]
     }
 
     /// Finds the probabilities of emitters at some surfaces: all the same where `on_emitters` has no
@@ -192,7 +213,6 @@ impl<'a> LaneLights<'a> {
                     rectangles |= 1 << lane;
                     // Times the solid angle, which is not known yet.
                     lit.inverse_density[lane] = 1.0 / times;
-                    lit.hits[lane] = None;
                 }
                 None => {
                     let u = [1, 2].map(|i| streams.number(lane, first + i));
@@ -253,21 +273,28 @@ impl<'a> LaneLights<'a> {
                     })
                 }
                 None => {
-                    let hit = lit.hits[lane].or_else(|| {
-                        let rectangle = kind.rectangle?;
-                        let offset = direction * lit.range[1][lane];
-                        let (face, barycentric) = rectangle.place_of(position + offset);
-                        Some(Hit {
-                            t: lit.range[1][lane],
-                            face: self.accel.emitter_face(emitter, face),
-                            barycentric,
-                        })
-                    });
+                    let hit = self.hit(vertices, lit, lane);
                     self.radiance(emitter, hit.as_ref(), position, direction)
                 }
             };
             lit.radiance.set_colour(lane, radiance);
         }
+    }
+
+    /// The point of an emitter towards which a direction was drawn, if it is on a surface.
+    pub fn hit(&self, vertices: &Vertices, lit: &Lit, lane: usize) -> Option<Hit> {
+        let emitter = lit.emitters[lane];
+        let Some(rectangle) = self.kinds[emitter.0 as usize].rectangle else {
+            return lit.hits[lane];
+        };
+        let t = lit.range[1][lane];
+        let point = vertices.position.get(lane) + lit.direction.get(lane) * t;
+        let (face, barycentric) = rectangle.place_of(point);
+        Some(Hit {
+            t,
+            face: self.accel.emitter_face(emitter, face),
+            barycentric,
+        })
     }
 
     /// What an emitter sends back along a ray that hits it, or misses everything.
@@ -307,6 +334,16 @@ impl<'a> LaneLights<'a> {
         let pdf = emitter_pdf(self.accel, emitter, sampler, hit, direction, receiver);
         f64::from(self.sampling.emitter_samples) * probability * pdf
     }
+}
+
+/// True if the radiance of an emitter, or another of its numbers, is asked for.
+fn is_asked(scene: &Scene, emitter: &Emitter, is_asked_for: &dyn Fn(TextureId) -> bool) -> bool {
+    emitter.slots().into_iter().any(|slot| {
+        is_asked_for(match emitter.shape() {
+            Some(shape) => scene.numbers_of(slot.texture, scene.shape(shape)),
+            None => slot.texture,
+        })
+    })
 }
 
 /// A rectangle for each lane.

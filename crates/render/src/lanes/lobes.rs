@@ -141,6 +141,16 @@ impl<'a> LaneLobes<'a> {
         mask_of(self.with_lobes & lanes, of_lane)
     }
 
+    /// Specular events that were drawn, and their probabilities.
+    pub fn events(&self) -> [Option<(Specular, f64)>; LANES] {
+        std::array::from_fn(
+            |lane| match self.with_lobes >> lane & !self.rough_lanes >> lane & 1 {
+                1 => self.specular[lane],
+                _ => None,
+            },
+        )
+    }
+
     /// What of a surface, whose frame is known, matters to directions towards emitters.
     #[inline]
     pub fn receiver(&self, vertices: &Vertices, lane: usize) -> Receiver {

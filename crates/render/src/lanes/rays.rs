@@ -57,7 +57,6 @@ impl<'a> Meets<'a> {
     }
 
     /// True if rays come in packets.
-    #[cfg(test)]
     pub fn has_packets(&self) -> bool {
         self.packets.is_some()
     }

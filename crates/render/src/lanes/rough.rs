@@ -395,10 +395,10 @@ impl Computation for WeighDrawn<'_> {
 
 #[inline(always)]
 fn weigh_drawn(scattered: &LaneScattered, lanes: u32, colours: &mut Vectors, pdf: &mut Numbers) {
-    for lane in 0..LANES {
+    for (lane, pdf) in pdf.iter_mut().enumerate() {
         let is_asked = lanes >> lane & 1 == 1;
         let own = scattered.pdf[lane];
-        pdf[lane] = if is_asked { own } else { pdf[lane] };
+        *pdf = if is_asked { own } else { *pdf };
         let (factor, kept) = (scattered.colour.get(lane) * (1.0 / own), colours.get(lane));
         colours.set(lane, if is_asked { factor } else { kept });
     }

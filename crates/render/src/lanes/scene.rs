@@ -18,6 +18,8 @@ pub const NOTHING: u32 = u32::MAX;
 /// The shapes of a scene, and what is the same all over each of them.
 pub struct LaneScene<'a> {
     accel: &'a Accel,
+    /// Which numbers derivatives are asked for with respect to.
+    is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
     shapes: Vec<ShapeOfLanes>,
 }
 
@@ -28,6 +30,8 @@ struct ShapeOfLanes {
     /// True if its material turns with texture coordinates.
     turns: bool,
     emitter: Option<EmitterId>,
+    /// True if numbers of its material are asked for.
+    is_asked_for: bool,
     first_face: u32,
     first_vertex: u32,
 }
@@ -47,10 +51,14 @@ enum Scattering {
 }
 
 impl<'a> LaneScene<'a> {
-    /// The shapes of a scene.
-    pub fn new(accel: &'a Accel) -> Self {
+    /// The shapes of a scene, to be differentiated with respect to some numbers.
+    pub fn new(accel: &'a Accel, is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync)) -> Self {
         let shape = |(i, shape): (usize, &std::sync::Arc<Shape>)| ShapeOfLanes {
-            sides: sides(accel, shape, accel.needs_tangent[i]),
+            sides: match is_asked(&accel.scene, shape, is_asked_for) {
+                true => textured(&accel.scene, shape.bsdf).unwrap_or_else(differing),
+                false => sides(accel, shape, accel.needs_tangent[i]),
+            },
+            is_asked_for: is_asked(&accel.scene, shape, is_asked_for),
             has_normals: shape.normals.per_vertex().is_some(),
             turns: accel.needs_tangent[i],
             emitter: shape.emitter,
@@ -59,6 +67,7 @@ impl<'a> LaneScene<'a> {
         };
         Self {
             accel,
+            is_asked_for,
             shapes: accel.scene.shapes.iter().enumerate().map(shape).collect(),
         }
     }
@@ -152,6 +161,41 @@ impl<'a> LaneScene<'a> {
         true
     }
 
+    /// True if numbers of the material of a face are asked for.
+    pub fn is_asked_for(&self, face: u32) -> bool {
+        self.shape_of(face).1.is_asked_for
+    }
+
+    /// The texture of what is reflected, if the face is diffuse on the side that a path hits, and the
+    /// point on its shape.
+    pub fn reflectance(
+        &self,
+        face: u32,
+        lane: usize,
+        vertices: &Vertices,
+    ) -> Option<(TextureId, SurfacePoint<f64>)> {
+        let (_, shape) = self.shape_of(face);
+        let out = match shape.has_normals {
+            false => 1.0,
+            true => self.normal(face, lane, vertices).1,
+        };
+        match shape.sides[usize::from(vertices.seen[lane] * out <= 0.0)] {
+            Scattering::Textured(id) => Some((id, self.point(face, lane, vertices))),
+            _ => None,
+        }
+    }
+
+    /// Where a path hit a face.
+    pub fn hit_of(&self, face: u32, lane: usize, vertices: &Vertices) -> Hit {
+        let [_, wb, wc] = vertices.barycentric(lane);
+        let offset = vertices.position.get(lane) - vertices.origin.get(lane);
+        Hit {
+            t: offset.length(),
+            face,
+            barycentric: [wb, wc],
+        }
+    }
+
     /// The interpolated normal, and 1 or -1 for whether the face's own points out.
     fn normal(&self, face: u32, lane: usize, vertices: &Vertices) -> (Vec3, f64) {
         let (id, shape) = self.shape_of(face);
@@ -179,6 +223,10 @@ impl<'a> LaneScene<'a> {
 
     fn texture(&self, id: TextureId, face: u32, lane: usize, vertices: &Vertices) -> Rgb {
         let scene = &self.accel.scene;
+        let texture = scene.texture(id);
+        if texture.is_constant() {
+            return texture.texel(0);
+        }
         let texel = |id, index| scene.texture(id).texel(index);
         scene.lookup(id, &self.point(face, lane, vertices), texel)
     }
@@ -206,6 +254,7 @@ impl<'a> LaneScene<'a> {
         let outward = vertices.outward.get(lane);
         let mut textures = Textures {
             eval: &Primal(self.accel),
+            is_asked_for: self.is_asked_for,
             point: &self.point(face, lane, vertices),
             tangents,
             frame: match tangents {
@@ -215,10 +264,27 @@ impl<'a> LaneScene<'a> {
         };
         let scene = &self.accel.scene;
         let material = scene.shape(id).bsdf;
-        let resolved = (self.accel.resolver).resolve(scene, material, seen, &mut textures);
-        let has_any = resolved.bsdf.lobes().next().is_some();
-        has_any.then(|| Lobes::new(resolved))
+        let mut resolved = (self.accel.resolver).resolve(scene, material, seen, &mut textures);
+        resolved.bsdf.lobes().next()?;
+        // What has no weight may have a derivative.
+        if self.shape_of(face).1.is_asked_for {
+            resolved.bsdf.explore();
+        }
+        Some(Lobes::new(resolved))
     }
+}
+
+/// True if numbers of a shape's material are asked for.
+fn is_asked(scene: &Scene, shape: &Shape, is_asked_for: &dyn Fn(TextureId) -> bool) -> bool {
+    let slots = scene.slots_below(shape.bsdf);
+    let mut numbers = slots
+        .iter()
+        .map(|slot| scene.numbers_of(slot.texture, shape));
+    numbers.any(is_asked_for)
+}
+
+fn differing() -> [Scattering; 2] {
+    [Scattering::Differing, Scattering::Differing]
 }
 
 /// What the sides of a shape do to light. `turns` if the material turns with texture coordinates.
@@ -227,7 +293,6 @@ fn sides(accel: &Accel, shape: &Shape, turns: bool) -> [Scattering; 2] {
     let slots = scene.slots_below(shape.bsdf);
     let mut textures = slots.iter().map(|slot| scene.texture(slot.texture));
     if !textures.all(|texture| texture.is_constant()) {
-        let differing = || [Scattering::Differing, Scattering::Differing];
         return textured(scene, shape.bsdf).unwrap_or_else(differing);
     }
     [Side::Front, Side::Back].map(|side| {
@@ -246,11 +311,7 @@ fn sides(accel: &Accel, shape: &Shape, turns: bool) -> [Scattering; 2] {
 fn textured(scene: &Scene, id: BsdfId) -> Option<[Scattering; 2]> {
     let side = |id: BsdfId| match &scene.material(id).bsdf {
         Bsdf::Plain(Lobe::Diffuse(Diffuse { reflectance })) => {
-            let texture = scene.texture(*reflectance);
-            Some(match texture.is_constant() {
-                true => Scattering::Diffuse(texture.texel(0)),
-                false => Scattering::Textured(*reflectance),
-            })
+            Some(Scattering::Textured(*reflectance))
         }
         _ => None,
     };

@@ -227,7 +227,7 @@ impl Computation for WeighDiffuse<'_> {
 #[inline(always)]
 fn weigh_diffuse(vertices: &Vertices, lit: &mut Lit, bsdf_samples: f64, of_brdf: u32) -> Numbers {
     let mut cosines = [0.0; LANES];
-    for lane in 0..LANES {
+    for (lane, cosine) in cosines.iter_mut().enumerate() {
         let cos = lit.direction.get(lane).dot(vertices.normal(lane));
         let has_other = of_brdf >> lane & 1 == 1;
         let other = if has_other {
@@ -236,7 +236,7 @@ fn weigh_diffuse(vertices: &Vertices, lit: &mut Lit, bsdf_samples: f64, of_brdf:
             0.0
         };
         lit.weight[lane] = cos * FRAC_1_PI * weight_over_density(lit.inverse_density[lane], other);
-        cosines[lane] = cos;
+        *cosine = cos;
     }
     cosines
 }
