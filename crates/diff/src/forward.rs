@@ -8,10 +8,11 @@ use capwalk_boundary::refuse::{
     refuse_motion, refuse_settings, refuse_turned_without_uvs,
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
-use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
+use capwalk_math::Rgb;
+use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
 use capwalk_render::{
-    Grid, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PreparedScene, RenderOptions,
-    Tracer, Watch, adaptive,
+    Grid, LaneTracer, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PreparedScene,
+    RenderOptions, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -211,6 +212,18 @@ impl<'a> GradientWork<'a> {
             true => tracer.leaving_out(left_out(options.method)),
             false => tracer,
         };
+        // Where nothing moves, paths are those of an image.
+        let is_asked_for = |id: TextureId| self.tangent.textures[id.0 as usize].is_some();
+        let lanes = match self.wanted.moves() || self.is_of_rest {
+            true => None,
+            false => LaneTracer::differentiating(prepared, &is_asked_for),
+        };
+        if let Some(lanes) = lanes {
+            let take = |places: &[SamplePlace], taken: &mut Vec<_>| {
+                take_together(&lanes, &tracer, &eval, places, taken);
+            };
+            return tiles::average(scene, sampling, counts, work, part, watch, take);
+        }
         // If the watch stops this, no sample is taken either.
         let _ = tracer.build_edge_samplers(watch);
         let sample = |pixel: [u32; 2], stream: &Stream| {
@@ -295,6 +308,34 @@ impl<'a> GradientWork<'a> {
         let inputs = (what, scene, &self.tangent, &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
+}
+
+/// Appends the samples of some places, in which nothing moves.
+fn take_together(
+    lanes: &LaneTracer<'_>,
+    tracer: &Tracer<'_>,
+    eval: &Forward<'_>,
+    places: &[SamplePlace],
+    taken: &mut Vec<Sample<NUMBERS>>,
+) {
+    let mut samples = Vec::with_capacity(places.len());
+    let mut derivatives = vec![Rgb::zero(); places.len()];
+    let covectors = vec![Rgb::splat(1.0); places.len()];
+    lanes.differentiate(places, &covectors, &mut samples, |sample, dependence| {
+        // Channels of light depend on the same channels alone.
+        let results = tracer.depends_on(eval, &dependence);
+        for (result, covector) in results {
+            derivatives[sample] += result.tangent(0) * covector;
+        }
+    });
+    taken.extend(samples.iter().zip(derivatives).map(|(sample, derivative)| {
+        let [[a, b, c], [d, e, f]] = [sample.numbers, derivative.to_array()];
+        Sample {
+            numbers: [a, b, c, d, e, f, 0.0],
+            effort: sample.effort,
+            ..Sample::default()
+        }
+    }));
 }
 
 /// Numbers of a sample: value, derivative, and what of the value arrives where something is

@@ -12,7 +12,7 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
-use capwalk_render::tiles::{self, SamplePlace};
+use capwalk_render::tiles::{self, Sample, SamplePlace};
 use capwalk_render::{
     Accumulate, Along, Dependence, Grid, LaneTracer, Missing, MotionFacts, OrderedSum, Part,
     PartError, Partial, PreparedScene, Statistics, Tracer, Unwatched, Watch,
@@ -532,10 +532,12 @@ struct Memory {
     tape: Tape,
     adjoints: Adjoints,
     covectors: Vec<(Target, Vec3)>,
-    /// Samples that are taken together: which, the covectors on their light, and those on the scene.
+    /// Samples that are taken together: which, the covectors on their light, those on the scene, and
+    /// the samples.
     places: Vec<SamplePlace>,
     on_light: Vec<Rgb>,
     on_scene: Vec<Vec<(Target, Vec3)>>,
+    taken: Vec<Sample<3>>,
 }
 
 impl Pass<'_> {
@@ -658,6 +660,7 @@ impl Pass<'_> {
             places,
             on_light,
             on_scene,
+            taken,
             ..
         } = memory;
         let width = self.adjoint.width;
@@ -670,12 +673,14 @@ impl Pass<'_> {
         on_light.extend_from_slice(&self.adjoint.pixels[pixels]);
         on_scene.resize(LOOK_UP, Vec::new());
         on_scene.iter_mut().for_each(Vec::clear);
-        let light = lanes.differentiate(places, on_light, |sample, dependence| {
+        taken.clear();
+        lanes.differentiate(places, on_light, taken, |sample, dependence| {
             self.pull_back(dependence, tape, adjoints, &mut on_scene[sample]);
         });
-        for (light, covectors) in light.iter().zip(&*on_scene) {
+        for (sample, covectors) in taken.iter().zip(&*on_scene) {
+            let light = Rgb::from(sample.numbers).mean();
             if light.is_finite() {
-                sums.radiance[1] += light.mean();
+                sums.radiance[1] += light;
             }
             sums.add_all(covectors);
         }
@@ -689,37 +694,23 @@ impl Pass<'_> {
         adjoints: &mut Adjoints,
         covectors: &mut Vec<(Target, Vec3)>,
     ) {
+        // It needs no tape: values of textures are sums of texels.
+        if let Dependence::Reflectance {
+            texture,
+            point,
+            covector,
+        } = &dependence
+        {
+            let covector = Vec3::from(covector.to_array());
+            let texel = |id: TextureId, index, weight| {
+                if self.wanted.textures[id.0 as usize] {
+                    covectors.push((Target::Texel(id, index), covector * weight));
+                }
+            };
+            return self.scene.texel_weights(*texture, point, texel);
+        }
         let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
-        let results = match dependence {
-            // It needs no tape: values of textures are sums of texels.
-            Dependence::Reflectance {
-                texture,
-                point,
-                covector,
-            } => {
-                let covector = Vec3::from(covector.to_array());
-                let texel = |id: TextureId, index, weight| {
-                    if self.wanted.textures[id.0 as usize] {
-                        covectors.push((Target::Texel(id, index), covector * weight));
-                    }
-                };
-                return self.scene.texel_weights(texture, &point, texel);
-            }
-            Dependence::Emitted {
-                emitter,
-                hit,
-                ray,
-                covector,
-            } => {
-                let radiance = self.tracer.emission(&eval, emitter, hit.as_ref(), ray);
-                [(radiance, covector), (Rgb::zero(), Rgb::zero())]
-            }
-            Dependence::Scattered { hit, ray, arrives } => {
-                let [light, onward] = self.tracer.scattered(&eval, &hit, ray, &arrives);
-                let of = |i: usize| arrives[i].map_or(Rgb::zero(), |light| light.covector);
-                [(light, of(0)), (onward, of(1))]
-            }
-        };
+        let results = self.tracer.depends_on(&eval, &dependence);
         eval.pull_back(&results, adjoints, covectors);
         tape.clear();
     }

@@ -29,7 +29,7 @@ use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
-use crate::lanes::Arriving;
+use crate::lanes::Dependence;
 use crate::light::{Continuation, emitter_towards, sample_lights};
 use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
@@ -254,42 +254,51 @@ impl Tracer<'_> {
         light
     }
 
-    /// What a surface that is hit by a ray scatters of light from directions, the BSDF times the
-    /// cosine; of a specular event the fraction of light.
-    pub fn scattered<R: Real, W: SceneEval<R>>(
+    /// What the light of a sample depends on, twice at most, with the covectors on it.
+    pub fn depends_on<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        hit: &Hit,
-        ray: [Vec3; 2],
-        arrives: &[Option<Arriving>; 2],
-    ) -> [Rgb<R>; 2] {
-        let [origin, direction] = ray.map(Vec3::constant);
-        let surface = surface_at(eval, self.accel, hit, origin, direction);
-        let mut vertex = black_vertex_at(&surface, direction);
-        add_lobes(eval, self.accel, &surface, &mut vertex);
-        arrives.map(|light| match light {
-            None => Rgb::zero(),
-            Some(Arriving {
-                specular: Some(event),
-                ..
-            }) => vertex.specular(event, [origin, direction]).1,
-            Some(Arriving { direction, .. }) => vertex.eval(Vec3::constant(direction)),
-        })
-    }
-
-    /// What an emitter sends back along a ray that hits it, or misses everything; of an emitter
-    /// without extent the irradiance at the ray's origin.
-    pub fn emission<R: Real, W: SceneEval<R>>(
-        &self,
-        eval: &W,
-        emitter: EmitterId,
-        hit: Option<&Hit>,
-        ray: [Vec3; 2],
-    ) -> Rgb<R> {
-        let [origin, direction] = ray.map(Vec3::constant);
-        match self.delta_light(eval, emitter, origin) {
-            Some(light) => irradiance_of(eval, self.accel.scene.emitter(emitter), &light),
-            None => emitted_at(eval, self.accel, emitter, hit, origin, direction),
+        dependence: &Dependence,
+    ) -> [(Rgb<R>, Rgb); 2] {
+        let nothing = (Rgb::zero(), Rgb::zero());
+        match dependence {
+            Dependence::Emitted {
+                emitter,
+                hit,
+                ray,
+                covector,
+            } => {
+                let [origin, direction] = ray.map(Vec3::constant);
+                let emitted = match self.delta_light(eval, *emitter, origin) {
+                    Some(light) => irradiance_of(eval, self.accel.scene.emitter(*emitter), &light),
+                    None => emitted_at(eval, self.accel, *emitter, hit.as_ref(), origin, direction),
+                };
+                [(emitted, *covector), nothing]
+            }
+            Dependence::Reflectance {
+                texture,
+                point,
+                covector,
+            } => {
+                let reflectance = eval.lookup(*texture, &point.constant());
+                [(reflectance, *covector), nothing]
+            }
+            Dependence::Scattered { hit, ray, arrives } => {
+                let [origin, direction] = ray.map(Vec3::constant);
+                let surface = surface_at(eval, self.accel, hit, origin, direction);
+                let mut vertex = black_vertex_at(&surface, direction);
+                add_lobes(eval, self.accel, &surface, &mut vertex);
+                arrives.map(|light| {
+                    let Some(light) = light else {
+                        return nothing;
+                    };
+                    let scattered = match light.specular {
+                        Some(event) => vertex.specular(event, [origin, direction]).1,
+                        None => vertex.eval(Vec3::constant(light.direction)),
+                    };
+                    (scattered, light.covector)
+                })
+            }
         }
     }
 

@@ -20,6 +20,18 @@ pub struct SurfacePoint<R> {
     pub uv: [R; 2],
 }
 
+impl SurfacePoint<f64> {
+    /// The point as one that does not move.
+    pub fn constant<R: Real>(&self) -> SurfacePoint<R> {
+        SurfacePoint {
+            shape: self.shape,
+            face: self.face,
+            barycentric: self.barycentric.map(R::constant),
+            uv: self.uv.map(R::constant),
+        }
+    }
+}
+
 /// The most texels that a value is made of: those around a point of a bitmap.
 const MOST_TEXELS: usize = 4;
 

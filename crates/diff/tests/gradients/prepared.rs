@@ -53,8 +53,9 @@ fn answers(prepared: &PreparedScene, along: &str) -> Vec<u64> {
     numbers
 }
 
-/// Where nothing moves no boundaries are listed: the derivative with respect to a colour is that with them, to
-/// the bit. A motion by nothing of shading normals asks for them.
+/// Where nothing moves no boundaries are listed: the derivative with respect to a colour is that with
+/// them, up to the rounding of paths that are traced together. A motion by nothing of shading normals
+/// asks for them.
 #[test]
 fn colours_need_no_boundaries() {
     let mut scene = under_a_sky(visible_ball(Filter::Tent { radius: 1.0 }));
@@ -79,26 +80,36 @@ fn colours_need_no_boundaries() {
                 ..SAMPLING.into()
             };
             let image = gradient(&prepared, tangent, &options, &Unwatched).expect("covered");
-            bits(&image.gradient.mean)
+            let channels = image.gradient.mean.pixels.iter();
+            channels
+                .flat_map(|pixel| pixel.to_array())
+                .collect::<Vec<f64>>()
         })
+    };
+    let are_close = |a: &[f64], b: &[f64]| {
+        let largest = a.iter().fold(0.0, |max: f64, x| max.max(x.abs()));
+        a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-9 * largest)
     };
     let is_listed = || prepared.has_boundaries();
     let without = images(&colour);
-    assert!(without[0].iter().any(|&bits| f64::from_bits(bits) != 0.0));
+    assert!(without[0].iter().any(|&x| x != 0.0));
     let mut wanted = Wanted::by(&colour);
     let mut adjoint = Image::new(9, 8);
     adjoint.pixels.fill(Rgb::splat(1.0));
     let reverse = |wanted: &Wanted| {
         let options = SAMPLING.into();
         let found = backward(&prepared, &adjoint, wanted, &options, &Unwatched).expect("covered");
-        found.gradient().textures.clone()
+        let textures = found.gradient().textures.iter().flatten();
+        textures.flatten().copied().collect::<Vec<f64>>()
     };
     let reverse_without = reverse(&wanted);
     assert!(!is_listed());
-    assert!(images(&turning) == without);
+    for (with, without) in images(&turning).iter().zip(&without) {
+        assert!(are_close(with, without));
+    }
     assert!(is_listed());
     wanted.normals.fill(true);
-    assert!(reverse(&wanted) == reverse_without);
+    assert!(are_close(&reverse(&wanted), &reverse_without));
 }
 
 /// Changes one scene step by step, and compares after each.

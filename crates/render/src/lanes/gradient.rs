@@ -16,7 +16,7 @@ use crate::lanes::lights::Lit;
 use crate::lanes::step::{Brdf, Vertices};
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 use crate::lanes::{LaneTracer, Paths};
-use crate::tiles::SamplePlace;
+use crate::tiles::{Sample, SamplePlace};
 
 /// Numbers of the scene on which the light of a sample depends, with its covector on what is made of
 /// them.
@@ -153,33 +153,29 @@ impl Step {
 }
 
 impl LaneTracer<'_> {
-    /// Calls `depends` with all numbers on which the light of samples depends and that are asked for,
-    /// for each with the number of the sample among the places. `covectors` are those on the samples'
-    /// light. Gives the light of each.
+    /// Appends the samples of some places, and calls `depends` with all numbers on which their light
+    /// depends and that are asked for, for each with the number of the sample. `covectors` are those
+    /// on the samples' light.
     pub fn differentiate(
         &self,
         places: &[SamplePlace],
         covectors: &[Rgb],
+        taken: &mut Vec<Sample<3>>,
         mut depends: impl FnMut(usize, Dependence),
-    ) -> Vec<Rgb> {
+    ) {
         let Some(first) = places.first() else {
-            return Vec::new();
+            return;
         };
         let mut paths = Paths::new(first.stream);
         paths.steps = Some(Vec::new());
-        let mut taken = Vec::new();
         let chunks = places.chunks(LANES).zip(covectors.chunks(LANES));
         for (chunk, (places, covectors)) in chunks.enumerate() {
-            let weights = self.take_some(places, &mut paths, &mut taken);
+            let weights = self.take_some(places, &mut paths, taken);
             for (lane, (&covector, weight)) in covectors.iter().zip(weights).enumerate() {
                 let depends = &mut |dependence| depends(chunk * LANES + lane, dependence);
                 self.pull(&paths, lane, covector * weight, depends);
             }
         }
-        taken
-            .into_iter()
-            .map(|sample| Rgb::from(sample.numbers))
-            .collect()
     }
 
     /// Through the vertices of a path, last first.
