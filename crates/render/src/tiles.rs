@@ -252,29 +252,12 @@ pub fn average<const C: usize>(
                 })
                 .collect();
             let work = numbers.iter().map(|range| range.len() as u64).sum();
-            let mut wanted = numbers
-                .iter()
-                .enumerate()
-                .flat_map(|(i, range)| range.clone().map(move |number| (i, number)));
             let (mut of, mut places, mut taken) = (Vec::new(), Vec::new(), Vec::new());
             // Samples that depend on each other count as one number: their mean.
             let (mut sum, mut count) = ([0.0; C], 0);
-            loop {
-                of.clear();
-                of.extend(wanted.by_ref().take(TOGETHER));
-                if of.is_empty() {
-                    break;
-                }
-                places.clear();
-                places.extend(of.iter().map(|&(i, number)| {
-                    let pixel = first + i as u32;
-                    SamplePlace {
-                        pixel: [pixel % width, pixel / width],
-                        stream: sampler.stream(u64::from(pixel), number),
-                    }
-                }));
+            let mut take_all = |of: &mut Vec<(usize, u32)>, places: &mut Vec<SamplePlace>| {
                 taken.clear();
-                take_some(&places, &mut taken);
+                take_some(places, &mut taken);
                 debug_assert_eq!(taken.len(), places.len());
                 for (&(i, number), sample) in of.iter().zip(&taken) {
                     let tally = &mut tallies[i];
@@ -297,7 +280,24 @@ pub fn average<const C: usize>(
                         (sum, count) = ([0.0; C], 0);
                     }
                 }
+                of.clear();
+                places.clear();
+            };
+            for (i, range) in numbers.iter().enumerate() {
+                let pixel = first + i as u32;
+                let place = [pixel % width, pixel / width];
+                for number in range.clone() {
+                    of.push((i, number));
+                    places.push(SamplePlace {
+                        pixel: place,
+                        stream: sampler.stream(u64::from(pixel), number),
+                    });
+                    if places.len() == TOGETHER {
+                        take_all(&mut of, &mut places);
+                    }
+                }
             }
+            take_all(&mut of, &mut places);
             let before = done.fetch_add(work, Ordering::Relaxed);
             watch.progress(before + work, total);
         };
