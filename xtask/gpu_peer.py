@@ -163,7 +163,7 @@ def main():
     )
     for file, parameter in zip(map(pathlib.Path, scenes[::2]), scenes[1::2], strict=True):
         shape, _, axis = parameter.split(".")
-        peers.prepare(file, shape, None)
+        peers.prepare(file, shape)
         for task, method, run, pixels in tasks(file, shape, axis, variant):
             try:
                 rate, loss, error, after = fastest(run, pixels)

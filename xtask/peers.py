@@ -29,6 +29,8 @@ import drjit as dr
 import mitsuba as mi
 import numpy as np
 
+from peer_scenes import integrator_of, prepare
+
 VARIANT = "llvm_ad_rgb"
 GUIDINGS = ["none", "grid", "octree"]
 # Samples per pixel from which capwalk's set-up is found.
@@ -53,6 +55,7 @@ class Budget:
         # Samples of a whole image, of each of Mitsuba's budgets.
         self.forward = [2**14] if quick else [2**16, 2**18, 2**19]
         self.reverse = [2**14] if quick else [2**16, 2**18]
+        self.texels = [2**14] if quick else [2**16, 2**18, 2**20]
         self.image = [2**16] if quick else [2**18, 2**20]
         # Mitsuba's own defaults, and less.
         self.guiding_spp = 16 if quick else 512
@@ -61,80 +64,6 @@ class Budget:
 
 def log(text):
     print(f"    {text}", file=sys.stderr, flush=True)
-
-
-# Scene files.
-
-CORNERS = [(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)]
-CUBE_SIDES = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
-
-# Squares along each edge of the cube that a ball is made of: 20,172 triangles.
-BALL_STEPS = 41
-
-
-def ball():
-    """A cube of many squares, blown up to the unit sphere."""
-    numbers, faces = {}, []
-
-    def number(corner):
-        return numbers.setdefault(corner, len(numbers) + 1)
-
-    for side in CUBE_SIDES:
-        a, b, _, d = (np.array(CORNERS[i - 1]) * BALL_STEPS for i in side)
-        for i in range(BALL_STEPS):
-            for j in range(BALL_STEPS):
-                places = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
-                corners = [a + (b - a) * s // BALL_STEPS + (d - a) * t // BALL_STEPS for s, t in places]
-                faces.append(tuple(number(tuple(corner)) for corner in corners))
-    # Equal angles, so that all squares are about as large.
-    points = [np.tan(np.array(corner) / BALL_STEPS * math.pi / 4) for corner in numbers]
-    return [tuple(point / np.linalg.norm(point)) for point in points], faces
-
-
-# Primitives as meshes: vertices, and faces that are counted from 1. Mitsuba's
-# rectangle has no vertices to move, its cube has three at each corner.
-MESHES = {
-    "rectangle": ([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [(1, 2, 3, 4)]),
-    "cube": (CORNERS, CUBE_SIDES),
-    "sphere": ball(),
-}
-
-
-def prepare(file, shape_id, size):
-    """Changes a copy of a scene for both programs: the moving shape becomes a mesh
-    if it is a primitive, and the image gets its size."""
-    tree = xml.parse(file)
-    root = tree.getroot()
-    shape = next((s for s in root.iter("shape") if s.get("id") == shape_id), None)
-    if shape is None:
-        sys.exit(f'{file}: expected a shape with the id "{shape_id}"; correct the list in peers.rs')
-    if shape.get("type") in MESHES:
-        vertices, faces = MESHES[shape.get("type")]
-        lines = ["v %g %g %g" % vertex for vertex in vertices]
-        for a, b, c, d in faces:
-            lines += [f"f {a} {b} {c}", f"f {a} {c} {d}"]
-        mesh = f"{shape_id}-as-mesh.obj"
-        (file.parent / mesh).write_text("\n".join(lines) + "\n")
-        shape.set("type", "obj")
-        xml.SubElement(shape, "string", name="filename", value=mesh)
-        xml.SubElement(shape, "boolean", name="face_normals", value="true")
-    if size is not None:
-        for number in root.find("sensor/film").iter("integer"):
-            name = number.get("name").removeprefix("crop_")
-            if name in size:
-                number.set("value", str(size[name]))
-    tree.write(file)
-
-
-def integrator_of(file):
-    """Mitsuba's integrator for derivatives of a scene that the file renders with
-    `direct` or `path`."""
-    element = xml.parse(file).getroot().find("integrator")
-    if element.get("type") == "direct":
-        return {"type": "direct_projective"}
-    depth = element.find("integer[@name='max_depth']")
-    depth = -1 if depth is None else int(depth.get("value"))
-    return {"type": "prb_projective", "max_depth": depth}
 
 
 # Contestants.
@@ -195,7 +124,8 @@ class Capwalk(Contestant):
 
     def warm_up(self):
         spp = FEW
-        while spp == FEW or self.call(spp, 0)[0] < self.least:
+        start, _ = self.call(spp, 0)
+        while spp == FEW or self.call(spp, 0)[0] < start + self.least:
             spp *= 2
         self.about["spp"] = spp
 
@@ -244,6 +174,14 @@ def timed(work, clock=time.process_time):
     start = clock()
     result = np.array(work(), dtype=np.float64)
     return clock() - start, result
+
+
+def load(file):
+    """A scene. With one thread alone Mitsuba would wait forever for the one that reads textures."""
+    dr.set_thread_count(2)
+    scene = mi.load_file(file)
+    dr.set_thread_count(1)
+    return scene
 
 
 class Derivatives:
@@ -368,7 +306,7 @@ class Reference:
         return {"bias": float(np.mean(sizes) - 1.0), "bias_error": float(error)}
 
 
-# The three parts.
+# The parts.
 
 
 def forward(plan, budget, mitsuba, guided):
@@ -407,9 +345,7 @@ def forward(plan, budget, mitsuba, guided):
 
 def reverse(plan, budget, mitsuba, guided):
     """The gradient of a weighted sum of pixels."""
-    weights = smooth_weights(plan["height"], plan["width"])
-    adjoint = os.path.join(plan["folder"], "weights.npz")
-    np.savez(adjoint, adjoint=weights)
+    weights, adjoint = write_weights(plan)
     names = [f"{plan['shape']}.{name}" for name in [*POSE, "positions"]]
     read = lambda file: np.concatenate([file[name].ravel() for name in names])
     backward = lambda method: ["backward", "--adjoint", adjoint, "--method", method, "-p", *names]
@@ -470,6 +406,99 @@ def reverse(plan, budget, mitsuba, guided):
     return {"pose": POSE, "reference": about, "rows": rows}
 
 
+def write_weights(plan):
+    """The derivative of the loss by each pixel, and the file that capwalk reads it from."""
+    weights = smooth_weights(plan["height"], plan["width"])
+    file = os.path.join(plan["folder"], "weights.npz")
+    np.savez(file, adjoint=weights)
+    return weights, file
+
+
+class Texels:
+    """The gradient of a loss by an array of texels in Mitsuba."""
+
+    def __init__(self, plan, weights):
+        mi.set_variant(VARIANT)
+        self.scene = load(plan["file"])
+        self.params = mi.traverse(self.scene)
+        self.key = plan["array"]
+        if self.key not in self.params:
+            sys.exit(f"{plan['file']}: Mitsuba has no \"{self.key}\"; correct the list in subjects.rs")
+        self.start = mi.TensorXf(self.params[self.key])
+        self.channels = self.start.shape[-1]
+        self.weights = mi.TensorXf(weights)
+        self.sensor = self.scene.sensors()[0]
+        self.integrator = mi.load_dict({**integrator_of(plan["file"]), "type": "prb"})
+
+    def reverse(self, spp, seed):
+        mi.set_variant(VARIANT)
+        texels = mi.TensorXf(self.start)
+        dr.enable_grad(texels)
+        self.params[self.key] = texels
+        self.params.update()
+        dr.eval(texels, self.weights)
+        dr.sync_thread()
+
+        def work():
+            self.integrator.render_backward(
+                self.scene, self.params, self.weights, self.sensor, mi.UInt32(seed), spp
+            )
+            return dr.grad(texels)
+
+        return timed(work)
+
+
+def texels(plan, budget):
+    """The gradient of a weighted sum of pixels by the texels of a material or an emitter."""
+    weights, adjoint = write_weights(plan)
+    array = plan["array"]
+    mitsuba = Texels(plan, weights)
+
+    def of_file(numbers):
+        # A grey texture has one channel in Mitsuba, three in capwalk, whose derivatives (and
+        # whose standard errors, because they are multiples of one number) add up.
+        numbers = numbers.astype(np.float64)
+        return numbers.sum(axis=-1, keepdims=True) if mitsuba.channels == 1 else numbers
+
+    read = lambda file: of_file(file[array])
+    command = ["backward", "--adjoint", adjoint, "-p", array]
+    ours = Capwalk(plan, command, read, budget.image_seconds)
+    theirs = [Mitsuba(mitsuba.reverse, samples, plan["pixels"]) for samples in budget.texels]
+    in_turn([ours, *theirs], budget, budget.image_runs)
+
+    log("reference")
+    both = lambda file: (read(file), of_file(file[f"{array}.stderr"]))
+    long = Capwalk(plan, [*command, "--errors"], both, budget.image_seconds)
+    spp = long.long(budget)
+    _, estimate = long.call(spp, REFERENCE_SEED, os.cpu_count())
+    reference = Reference(*estimate)
+    rows = []
+    for contestant in [ours, *theirs]:
+        contestant.results = [
+            without_seam(result, reference.image.shape[1]) for result in contestant.results
+        ]
+        error = reference.mean_squared_error(contestant.results) * reference.image.size
+        cost = error * contestant.seconds()
+        found = reference.bias(contestant.results)
+        rows.append(contestant.row(squared_error=error, cost=cost, **found))
+    return {
+        "array": array,
+        "entries": reference.image.size,
+        "reference": {"spp": spp},
+        "rows": rows,
+    }
+
+
+def without_seam(gradient, columns):
+    """Mitsuba repeats the first and last column of an environment map on the other side."""
+    if gradient.shape[1] == columns:
+        return gradient
+    inner = gradient[:, 1:-1].copy()
+    inner[:, -1] += gradient[:, 0]
+    inner[:, 0] += gradient[:, -1]
+    return inner
+
+
 def image(plan, budget):
     """The image itself."""
     read = lambda file: file["value"].astype(np.float64)
@@ -477,7 +506,7 @@ def image(plan, budget):
     for variant in plan["variants"]:
         mi.set_variant(variant)
         start = time.process_time()
-        scene = mi.load_file(plan["file"])
+        scene = load(plan["file"])
         loading = time.process_time() - start
 
         def call(spp, seed, variant=variant, scene=scene):
@@ -519,7 +548,14 @@ def main():
     plan_file, result_file = sys.argv[1:]
     plan = json.loads(pathlib.Path(plan_file).read_text())
     budget = Budget(plan["quick"])
-    prepare(pathlib.Path(plan["file"]), plan["shape"], plan["size"])
+    plan["variants"] = ["scalar_rgb", VARIANT] if plan["llvm"] else ["scalar_rgb"]
+    for variant in plan["variants"]:
+        mi.set_variant(variant)
+        mi.set_log_level(mi.LogLevel.Error)
+    source = plan["source"] and pathlib.Path(plan["source"])
+    prepare(pathlib.Path(plan["file"]), plan["shape"], plan["size"], source)
+    # Not before: textures are written by a second thread.
+    dr.set_thread_count(1)
     film = xml.parse(plan["file"]).getroot().find("sensor/film")
     for side in ("width", "height"):
         plan[side] = int(film.find(f"integer[@name='{side}']").get("value"))
@@ -529,15 +565,14 @@ def main():
         "size": [plan["width"], plan["height"]],
         "mitsuba": mi.__version__,
     }
-    plan["variants"] = ["scalar_rgb", VARIANT] if plan["llvm"] else ["scalar_rgb"]
-    for variant in plan["variants"]:
-        mi.set_variant(variant)
-        mi.set_log_level(mi.LogLevel.Error)
-    dr.set_thread_count(1)
-    if plan["derivatives"]:
+    if "motion" in plan["parts"]:
         result.update(derivatives(plan, budget))
-    log("images")
-    result["image"] = image(plan, budget)
+    if "texels" in plan["parts"]:
+        log("gradient of texels")
+        result["texels"] = texels(plan, budget)
+    if "image" in plan["parts"]:
+        log("images")
+        result["image"] = image(plan, budget)
     pathlib.Path(result_file).write_text(json.dumps(result, indent=1))
 
 

@@ -1,7 +1,6 @@
 //! `cargo xtask gpu`: queries, images and gradients on the adapter that is found, as tables, and
 //! Mitsuba's images and gradients where it runs on the GPU, too.
 
-use std::path::PathBuf;
 use std::process::Command;
 
 use anyhow::Result;
@@ -48,7 +47,7 @@ pub fn run(rest: &[String]) -> Result<()> {
         images.args(["--adapter", adapter]);
     }
     for subject in subjects() {
-        images.args([subject.scene(), subject.parameter().into()]);
+        images.arg(subject.scene()).args(subject.parameter());
     }
     let images = start("images and gradients", images);
     peer()?;
@@ -82,8 +81,8 @@ fn peer() -> Result<()> {
     let mut measure = peer();
     for subject in subjects() {
         let folder = root().join("target/gpu").join(subject.name);
-        let file = subject.copy_to(&folder, &capwalk)?;
-        measure.args([file, PathBuf::from(subject.parameter())]);
+        let file = subject.copy_to(&folder, &capwalk, None)?;
+        measure.arg(file).args(subject.parameter());
     }
     start("Mitsuba", measure)
 }

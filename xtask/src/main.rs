@@ -73,8 +73,10 @@ tasks:
            runs (further argument: part of the adapter's name)
   peers    measure how much noise capwalk and Mitsuba leave after a second on one
            thread, in derivatives and images; with --quick, only see that it works;
-           with --images, images alone; with --tables, print again what was
-           measured before
+           with --images, images alone; with --texels, gradients of textures and
+           skies alone; with --tables, print again what was measured before; with
+           --public FOLDER, also the public scenes in there: the clone
+           mitsuba-tutorials, and living-room
            (needs python3, PyPI and LLVM; further arguments: scene names)
 ";
 

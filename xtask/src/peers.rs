@@ -1,7 +1,14 @@
-//! `cargo xtask peers`: how much noise capwalk and Mitsuba 3 leave after a second
-//! on one thread, in derivative images, gradients of a loss, and images. The
-//! measuring is done by `peers.py`; here are the scenes and what is run on them.
+//! `cargo xtask peers`: how much noise capwalk and Mitsuba 3 leave after a second on one thread.
+//!
+//! There are three kinds of scenes. Where a shape moves, derivative images and gradients of a
+//! loss are compared; where a texture, a roughness or a sky has texels, gradients of a loss with
+//! respect to them, beside `prb`; in all of them, and in scenes for that alone, images. The
+//! measuring is done by `peers.py`; here is what is run.
+//!
+//! Public scenes are no part of this repository. They are measured where their folder is given,
+//! `--public FOLDER`, and left out otherwise; `subjects.rs` says which it should have.
 
+mod subjects;
 mod tables;
 
 use std::fs;
@@ -14,144 +21,121 @@ use serde_json::{Value, json};
 use crate::mitsuba::{LLVM_VARIABLE, MITSUBA, WITHOUT_LLVM, environment, llvm};
 use crate::shell::{capwalk, root, step};
 
+use subjects::{Differentiated, Origin};
+pub use subjects::{SUBJECTS, Subject};
+
 /// capwalk's methods, as they are typed after `--method`: a column for each.
 const METHODS: [&str; 3] = ["auto", "walk", "edges"];
 /// The method of the long derivative image that all others are compared with. It has
 /// its own seed.
 const REFERENCE: &str = "edges";
 
-/// A scene, and the shape that moves in it.
-pub struct Subject {
-    pub name: &'static str,
-    from: Origin,
-    shape: &'static str,
-    /// The axis of the translation that derivative images are of.
-    axis: char,
+/// What is measured, by the arguments of the task.
+#[derive(Default)]
+struct Wish {
+    /// So few samples that the numbers mean nothing, to see that everything works.
+    quick: bool,
+    only_images: bool,
+    only_texels: bool,
+    /// Nothing is measured, and the tables are those of earlier runs.
+    only_tables: bool,
+    /// The folder of public scenes.
+    public: Option<PathBuf>,
+    /// All scenes if empty.
+    names: Vec<String>,
 }
 
-/// Where a scene file comes from.
-enum Origin {
-    /// Exported by `capwalk scenes`.
-    BuiltIn,
-    /// A folder of `tests/scenes`.
-    Folder,
-    /// A file of `xtask/peers`.
-    Peers,
-}
-
-/// Width and height of the images of built-in scenes, as `capwalk demo` has them;
-/// those of the folders are small already.
-const SIZE: [u32; 2] = [128, 96];
-
-/// All scenes. Mitsuba must be able to load them and to move the vertices of the shape;
-/// whether its derivative is right is measured.
-pub const SUBJECTS: [Subject; 13] = [
-    Subject::new("leaf", Origin::BuiltIn, "leaf", 'x'),
-    Subject::new("ball", Origin::BuiltIn, "ball", 'x'),
-    Subject::new("box-room", Origin::BuiltIn, "box", 'x'),
-    Subject::new("lattice-shadow", Origin::BuiltIn, "lattice", 'y'),
-    Subject::new("sphere-shadow", Origin::Peers, "thing", 'z'),
-    Subject::new("cube-shadow", Origin::Peers, "thing", 'z'),
-    Subject::new("shadow_of_a_moving_occluder", Origin::Folder, "thing", 'x'),
-    Subject::new("emitter_moves", Origin::Folder, "lamp", 'y'),
-    Subject::new("interreflection", Origin::Folder, "thing", 'x'),
-    Subject::new("indirect_shadow", Origin::Folder, "sheet", 'x'),
-    Subject::new("cornell-box", Origin::Peers, "block", 'y'),
-    Subject::new("painted-box", Origin::Peers, "block", 'y'),
-    Subject::new("glossy-box", Origin::Peers, "block", 'y'),
-];
-
-impl Subject {
-    const fn new(name: &'static str, from: Origin, shape: &'static str, axis: char) -> Self {
-        Self {
-            name,
-            from,
-            shape,
-            axis,
+impl Wish {
+    fn new(arguments: &[String]) -> Result<Self> {
+        let mut wish = Self::default();
+        let mut arguments = arguments.iter();
+        while let Some(argument) = arguments.next() {
+            match argument.as_str() {
+                "--quick" => wish.quick = true,
+                "--images" => wish.only_images = true,
+                "--texels" => wish.only_texels = true,
+                "--tables" => wish.only_tables = true,
+                "--public" => {
+                    let folder = arguments.next();
+                    let folder = folder.context("expected a folder after --public")?;
+                    wish.public = Some(std::path::absolute(folder)?);
+                }
+                option if option.starts_with("--") => bail!(
+                    "expected --quick, --images, --texels, --tables, --public FOLDER or names of \
+                     scenes instead of {option}"
+                ),
+                _ => wish.names.push(argument.clone()),
+            }
         }
+        ensure!(
+            !(wish.only_images && wish.only_texels),
+            "expected --images or --texels, not both"
+        );
+        Ok(wish)
     }
 
-    /// The parameter that derivative images are of.
-    pub fn parameter(&self) -> String {
-        format!("{}.translate.{}", self.shape, self.axis)
-    }
-
-    /// The scene's file, or its name if it is built in.
-    pub fn scene(&self) -> PathBuf {
-        match self.from {
-            Origin::BuiltIn => self.name.into(),
-            Origin::Folder => self.folder().join("scene.xml"),
-            Origin::Peers => root()
-                .join("xtask/peers")
-                .join(format!("{}.xml", self.name)),
-        }
-    }
-
-    /// The folder of a scene that has one.
+    /// The folder of results. What means nothing must not replace what does, nor a part
+    /// everything.
     fn folder(&self) -> PathBuf {
-        root().join("tests/scenes").join(self.name)
+        let work = root().join("target/peers");
+        match (self.quick, self.only_images, self.only_texels) {
+            (true, ..) => work.join("quick"),
+            (_, true, _) => work.join("images"),
+            (.., true) => work.join("texels"),
+            _ => work,
+        }
     }
 
-    /// Puts the scene file, with what it refers to, into a folder.
-    pub fn copy_to(&self, folder: &Path, capwalk: &Path) -> Result<PathBuf> {
-        fs::create_dir_all(folder)?;
-        match self.from {
-            Origin::BuiltIn => {
-                let mut export = Command::new(capwalk);
-                export.args(["scenes", "--export"]).arg(folder);
-                let output = export.arg(self.name).output()?;
-                if !output.status.success() {
-                    bail!("capwalk: {}", String::from_utf8_lossy(&output.stderr));
-                }
-                Ok(folder.join(format!("{}.xml", self.name)))
-            }
-            Origin::Peers => {
-                let file = folder.join(format!("{}.xml", self.name));
-                fs::copy(self.scene(), &file)?;
-                Ok(file)
-            }
-            Origin::Folder => {
-                let source = self.folder();
-                let entries = fs::read_dir(&source)
-                    .with_context(|| format!("cannot list {}", source.display()))?;
-                for entry in entries {
-                    let file = entry?;
-                    fs::copy(file.path(), folder.join(file.file_name()))?;
-                }
-                Ok(folder.join("scene.xml"))
-            }
+    /// The scenes that are named, or all; public ones only if there are any.
+    fn subjects(&self) -> Result<Vec<&'static Subject>> {
+        let known = |name: &String| SUBJECTS.iter().any(|subject| subject.name == name);
+        if let Some(unknown) = self.names.iter().find(|name| !known(name)) {
+            let all: Vec<&str> = SUBJECTS.iter().map(|subject| subject.name).collect();
+            bail!(
+                "there is no scene \"{unknown}\" to compare; they are {}",
+                all.join(", ")
+            );
         }
+        let wanted = |subject: &&Subject| {
+            let named = self.names.iter().any(|name| *name == subject.name);
+            let of_kind =
+                !self.only_texels || matches!(subject.differentiated, Differentiated::Texels(_));
+            of_kind && (named || self.names.is_empty())
+        };
+        let (public, own): (Vec<_>, Vec<_>) = SUBJECTS
+            .iter()
+            .filter(wanted)
+            .partition(|subject| matches!(subject.from, Origin::Public(..)));
+        if self.public.is_some() || self.only_tables || public.is_empty() {
+            return Ok(own.into_iter().chain(public).collect());
+        }
+        let left_out: Vec<&str> = public.iter().map(|subject| subject.name).collect();
+        println!(
+            "note: {} left out; their folder is given by --public",
+            left_out.join(", ")
+        );
+        Ok(own)
+    }
+
+    /// The parts of a scene's measurement.
+    fn parts(&self, subject: &Subject, has_llvm: bool) -> Vec<&'static str> {
+        let derivatives = match subject.differentiated {
+            Differentiated::Motion { .. } => Some("motion"),
+            Differentiated::Texels(_) => Some("texels"),
+            Differentiated::Nothing => None,
+        };
+        let derivatives = derivatives.filter(|_| has_llvm && !self.only_images);
+        let image = (!self.only_texels).then_some("image");
+        derivatives.into_iter().chain(image).collect()
     }
 }
 
-/// Measures all scenes, or those named, and prints the tables; with `--quick` with so
-/// few samples that the numbers mean nothing, to see that everything works; with
-/// `--images` images alone; with `--tables` nothing is measured, and the tables are
-/// those of earlier runs.
+/// Measures scenes, and prints the tables.
 pub fn run(arguments: &[String]) -> Result<()> {
-    let (options, names): (Vec<&String>, Vec<&String>) = arguments
-        .iter()
-        .partition(|argument| argument.starts_with("--"));
-    let (mut quick, mut only_images, mut only_tables) = (false, false, false);
-    for option in options {
-        match option.as_str() {
-            "--quick" => quick = true,
-            "--images" => only_images = true,
-            "--tables" => only_tables = true,
-            unknown => bail!(
-                "expected --quick, --images, --tables or names of scenes instead of {unknown}"
-            ),
-        }
-    }
-    let subjects = chosen(&names)?;
-    let work = root().join("target/peers");
-    // What means nothing must not replace what does, nor images alone everything.
-    let work = match (quick, only_images) {
-        (true, _) => work.join("quick"),
-        (false, true) => work.join("images"),
-        (false, false) => work,
-    };
-    if only_tables {
+    let wish = Wish::new(arguments)?;
+    let subjects = wish.subjects()?;
+    let work = wish.folder();
+    if wish.only_tables {
         return print_earlier(&subjects, &work);
     }
     fs::create_dir_all(&work)?;
@@ -159,16 +143,15 @@ pub fn run(arguments: &[String]) -> Result<()> {
     let llvm = llvm();
     match &llvm {
         Some(file) => println!("--- LLVM: {}", file.display()),
+        None if wish.only_texels => bail!("{WITHOUT_LLVM}"),
         None => println!("note: {WITHOUT_LLVM}"),
     }
-    let derivatives = llvm.is_some() && !only_images;
     let measure = Measure {
         capwalk: capwalk()?,
         python,
         llvm,
         work,
-        quick,
-        derivatives,
+        wish,
     };
 
     println!("--- capwalk and {MITSUBA}, one thread each");
@@ -219,29 +202,13 @@ fn read(file: &Path) -> Result<Value> {
     serde_json::from_str(&text).with_context(|| format!("{} is no JSON", file.display()))
 }
 
-/// The scenes of these names, or all.
-fn chosen(names: &[&String]) -> Result<Vec<&'static Subject>> {
-    let known = |name: &str| SUBJECTS.iter().any(|subject| subject.name == name);
-    if let Some(unknown) = names.iter().find(|name| !known(name)) {
-        let all: Vec<&str> = SUBJECTS.iter().map(|subject| subject.name).collect();
-        bail!(
-            "there is no scene \"{unknown}\" to compare; they are {}",
-            all.join(", ")
-        );
-    }
-    let wanted =
-        |subject: &&Subject| names.is_empty() || names.iter().any(|name| *name == subject.name);
-    Ok(SUBJECTS.iter().filter(wanted).collect())
-}
-
 /// How scenes are measured.
 struct Measure {
     capwalk: PathBuf,
     python: PathBuf,
     llvm: Option<PathBuf>,
     work: PathBuf,
-    quick: bool,
-    derivatives: bool,
+    wish: Wish,
 }
 
 impl Measure {
@@ -249,24 +216,35 @@ impl Measure {
     fn scene(&self, subject: &Subject) -> Result<Value> {
         let name = subject.name;
         let folder = self.work.join("scenes").join(name);
-        let file = subject.copy_to(&folder, &self.capwalk)?;
-        let size = match subject.from {
-            Origin::BuiltIn => json!({ "width": SIZE[0], "height": SIZE[1] }),
-            Origin::Folder | Origin::Peers => Value::Null,
+        let public = self.wish.public.as_deref();
+        let file = subject.copy_to(&folder, &self.capwalk, public)?;
+        let source = match (&subject.from, public) {
+            (Origin::Public(path, _), Some(public)) => {
+                public.join(path).parent().map(Path::to_owned)
+            }
+            _ => None,
         };
+        let (shape, axis, array) = match subject.differentiated {
+            Differentiated::Motion { shape, axis } => (Some(shape), Some(axis), None),
+            Differentiated::Texels(array) => (None, None, Some(array)),
+            Differentiated::Nothing => (None, None, None),
+        };
+        let size = subject.size();
         let plan = json!({
             "name": name,
             "file": file,
-            "size": size,
-            "shape": subject.shape,
-            "axis": subject.axis,
+            "source": source,
+            "size": size.map(|[width, height]| json!({ "width": width, "height": height })),
+            "shape": shape,
+            "axis": axis,
+            "array": array,
             "folder": folder,
             "capwalk": self.capwalk,
             "methods": METHODS,
             "reference_method": REFERENCE,
             "llvm": self.llvm,
-            "quick": self.quick,
-            "derivatives": self.derivatives,
+            "quick": self.wish.quick,
+            "parts": self.wish.parts(subject, self.llvm.is_some()),
         });
         let plan_file = folder.join("plan.json");
         fs::write(&plan_file, format!("{plan:#}"))?;
@@ -294,23 +272,47 @@ impl Measure {
 mod tests {
     use super::*;
 
+    fn wish(arguments: &[&str]) -> Wish {
+        let arguments: Vec<String> = arguments.iter().map(|text| (*text).to_owned()).collect();
+        Wish::new(&arguments).unwrap()
+    }
+
+    fn names(arguments: &[&str]) -> Vec<&'static str> {
+        let subjects = wish(arguments).subjects().unwrap();
+        subjects.iter().map(|subject| subject.name).collect()
+    }
+
     #[test]
     fn names_choose_scenes() {
-        assert_eq!(chosen(&[]).unwrap().len(), SUBJECTS.len());
-        let ball = chosen(&[&"ball".to_owned()]).unwrap();
-        assert_eq!(ball.len(), 1);
-        assert_eq!(ball[0].shape, "ball");
-        let Err(error) = chosen(&[&"bal".to_owned()]) else {
+        assert_eq!(names(&["--public", "x"]).len(), SUBJECTS.len());
+        assert_eq!(names(&["ball"]), ["ball"]);
+        let Err(error) = wish(&["bal"]).subjects() else {
             panic!("there is no such scene");
         };
         assert!(error.to_string().contains("leaf, ball"), "{error}");
     }
 
+    /// Public scenes are not measured without their folder, but their earlier results are
+    /// printed.
     #[test]
-    fn folders_exist() {
-        for subject in SUBJECTS {
-            let expected = matches!(subject.from, Origin::Folder);
-            assert_eq!(subject.folder().exists(), expected, "{}", subject.name);
-        }
+    fn public_scenes_need_a_folder() {
+        assert_eq!(names(&["many", "cbox"]), ["many"]);
+        assert_eq!(names(&["many", "cbox", "--public", "x"]), ["many", "cbox"]);
+        assert_eq!(names(&["many", "cbox", "--tables"]), ["many", "cbox"]);
+        assert!(Wish::new(&["--public".to_owned()]).is_err());
+    }
+
+    #[test]
+    fn options_choose_parts() {
+        let parts = |options: &[&str], name: &str| {
+            let subject = SUBJECTS.iter().find(|subject| subject.name == name);
+            wish(options).parts(subject.expect("a scene"), true)
+        };
+        assert_eq!(parts(&[], "leaf"), ["motion", "image"]);
+        assert_eq!(parts(&[], "sky-texels"), ["texels", "image"]);
+        assert_eq!(parts(&[], "many"), ["image"]);
+        assert_eq!(parts(&["--images"], "leaf"), ["image"]);
+        assert_eq!(parts(&["--texels"], "sky-texels"), ["texels"]);
+        assert_eq!(names(&["--texels"]).len(), 5);
     }
 }

@@ -15,13 +15,14 @@ const SIGNIFICANT: f64 = 3.0;
 /// Stands behind costs of biased estimates.
 const BIASED: &str = " b";
 
-/// All tables: derivative images, gradients, images, set-up. That of images
-/// alone where derivatives were not measured.
+/// All tables: derivative images, gradients, set-up, gradients of texels, images. Each has the
+/// scenes in which it was measured.
 pub fn all(results: &[Value], methods: &[&str]) -> String {
-    let with_derivatives: Vec<&Value> = results
-        .iter()
-        .filter(|result| !result["forward"].is_null())
-        .collect();
+    let with = |part: &str| -> Vec<&Value> {
+        let results = results.iter();
+        results.filter(|result| !result[part].is_null()).collect()
+    };
+    let with_derivatives = with("forward");
     let parts = [
         (
             "derivative images, mean squared error × CPU seconds (b: biased with any guiding)",
@@ -43,8 +44,13 @@ pub fn all(results: &[Value], methods: &[&str]) -> String {
             table(&with_derivatives, set_up),
         ),
         (
+            "gradients of a loss with respect to texels, squared error × CPU seconds, summed over \
+             all entries, and relative bias",
+            table(&with("texels"), texels),
+        ),
+        (
             "images, variance × CPU seconds",
-            table(&results.iter().collect::<Vec<_>>(), images),
+            table(&with("image"), images),
         ),
     ];
     let parts = parts.into_iter().filter(|(_, lines)| !lines.is_empty());
@@ -215,14 +221,6 @@ fn costs(result: &Value, part: &str, methods: &[&str], cost: &str, heading: &str
 
 fn biases(result: &Value, methods: &[&str]) -> Cells {
     let part = &result["forward"];
-    let bias = |row: Option<&Value>| match row {
-        None => "-".into(),
-        Some(row) => format!(
-            "{:+.2} ± {:.2} %",
-            100.0 * number(row, "bias"),
-            100.0 * number(row, "bias_error")
-        ),
-    };
     let mut cells: Cells = methods
         .iter()
         .map(|method| ((*method).to_owned(), bias(ours(part, method))))
@@ -231,6 +229,38 @@ fn biases(result: &Value, methods: &[&str]) -> Cells {
         cells.push((format!("Mitsuba, {name}"), bias(longest(part, name))));
     }
     cells
+}
+
+/// The relative bias of a row, with its standard error.
+fn bias(row: Option<&Value>) -> String {
+    match row {
+        None => "-".into(),
+        Some(row) => format!(
+            "{:+.2} ± {:.2} %",
+            100.0 * number(row, "bias"),
+            100.0 * number(row, "bias_error")
+        ),
+    }
+}
+
+/// Mitsuba's cheapest number of samples counts; the bias is that of its largest.
+fn texels(result: &Value) -> Cells {
+    let part = &result["texels"];
+    let of = |row: Option<&Value>| row.map_or(f64::NAN, |row| number(row, "cost"));
+    let ours = cheapest(rows(part, "capwalk"), "cost");
+    let theirs = cheapest(rows(part, "mitsuba"), "cost");
+    let longest = rows(part, "mitsuba").into_iter();
+    let longest = longest.max_by(|a, b| number(a, "spp").total_cmp(&number(b, "spp")));
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    vec![
+        ("array".into(), text(&part["array"])),
+        ("entries".into(), part["entries"].to_string()),
+        ("capwalk".into(), digits(of(ours))),
+        ("prb".into(), digits(of(theirs))),
+        ("ratio".into(), digits(of(theirs) / of(ours))),
+        ("bias, capwalk".into(), bias(ours)),
+        ("bias, prb".into(), bias(longest)),
+    ]
 }
 
 fn images(result: &Value) -> Cells {
