@@ -249,17 +249,17 @@ fn texels(result: &Value) -> Cells {
     let of = |row: Option<&Value>| row.map_or(f64::NAN, |row| number(row, "cost"));
     let ours = cheapest(rows(part, "capwalk"), "cost");
     let theirs = cheapest(rows(part, "mitsuba"), "cost");
-    let longest = rows(part, "mitsuba").into_iter();
-    let longest = longest.max_by(|a, b| number(a, "spp").total_cmp(&number(b, "spp")));
-    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let with_most = rows(part, "mitsuba").into_iter();
+    let with_most = with_most.max_by(|a, b| number(a, "spp").total_cmp(&number(b, "spp")));
+    let array = part["array"].as_str().unwrap_or_default();
     vec![
-        ("array".into(), text(&part["array"])),
+        ("array".into(), array.into()),
         ("entries".into(), part["entries"].to_string()),
         ("capwalk".into(), digits(of(ours))),
         ("prb".into(), digits(of(theirs))),
         ("ratio".into(), digits(of(theirs) / of(ours))),
         ("bias, capwalk".into(), bias(ours)),
-        ("bias, prb".into(), bias(longest)),
+        ("bias, prb".into(), bias(with_most)),
     ]
 }
 
@@ -364,6 +364,23 @@ mod tests {
             found,
             ["m", "2.00", "0.500", "1.00 b", "2.00 b", "octree, 8 spp"]
         );
+    }
+
+    /// Mitsuba's cost is that of its cheapest row, its bias that of its largest number of samples.
+    #[test]
+    fn gradients_of_texels_are_compared() {
+        let theirs = |spp: u32, cost: f64, bias: f64| {
+            json!({
+                "program": "mitsuba", "spp": spp, "cost": cost, "bias": bias, "bias_error": 0.01,
+            })
+        };
+        let ours = json!({ "program": "capwalk", "cost": 2.0, "bias": 0.0, "bias_error": 0.02 });
+        let rows = json!([ours, theirs(8, 3.0, 0.2), theirs(64, 4.0, -0.1)]);
+        let line = texels(&json!({ "texels": { "array": "a", "entries": 12, "rows": rows } }));
+        let contents: Vec<&str> = line.iter().map(|(_, content)| content.as_str()).collect();
+        let biases = ["+0.00 ± 2.00 %", "-10.00 ± 1.00 %"];
+        assert_eq!(contents[..5], ["a", "12", "2.00", "3.00", "1.50"]);
+        assert_eq!(contents[5..], biases);
     }
 
     /// Without LLVM there are no derivatives by Mitsuba, nor tables of them.
