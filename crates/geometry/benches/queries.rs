@@ -17,6 +17,7 @@
 //! phases do count for one query only where it is measured alone.
 
 mod meshes;
+mod random;
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -24,12 +25,12 @@ use std::time::{Duration, Instant};
 use capwalk_geometry::{ConeQuery, EdgeSelection, Mesh, Ray, RayTree, SilhouetteTree, topology};
 use capwalk_math::Vec3;
 use criterion::{BenchmarkId, Criterion, Throughput};
-use meshes::Random;
 use obvhs::BvhBuildParams;
 use obvhs::cwbvh::{CwBvh, builder::build_cwbvh_from_tris};
 use obvhs::ray::{Ray as YardstickRay, RayHit};
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
+use random::Random;
 
 /// Views per scene.
 const VIEWS: usize = 4096;
