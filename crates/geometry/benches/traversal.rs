@@ -1,6 +1,7 @@
 //! Rays per second on one thread in an arcade of 250,000 triangles: primary ones in the order of
 //! pixels, shadow rays from where they hit to a square light above the court, and diffuse ones
-//! from there. Beside them `obvhs`, and Embree if `CAPWALK_EMBREE` names a Python with `embreex`.
+//! from there. Beside them `obvhs`, and Embree 4 if `CAPWALK_EMBREE` names its library, which PyPI's
+//! `embreex` contains; that needs a C compiler.
 //!
 //! All take the same rays, which single precision represents, in turn and in several rounds. A
 //! time is the sum over batches of rays of the least in any round.
@@ -9,6 +10,7 @@ mod arcade;
 mod random;
 
 use std::hint::black_box;
+use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
@@ -49,7 +51,7 @@ fn main() {
         "{:<8} {:<14} {:>7} {:>9} {:>6}",
         "rays", "tracer", "found", "a second", "x ours"
     );
-    for (number, kind) in kinds.iter().enumerate() {
+    for kind in &kinds {
         let measure = |tracer: &str| match (tracer, kind.is_occlusion) {
             ("ours", false) => kind.measured(|ray| ours.first_hit(ray).is_some()),
             ("ours", true) => kind.measured(|ray| ours.occluded(ray)),
@@ -59,7 +61,7 @@ fn main() {
             ("obvhs Bvh2", true) => kind.measured(|ray| yardsticks.bvh2_occluded(ray)),
             _ => embree
                 .as_ref()
-                .map_or_else(Vec::new, |it| it.measured(number, kind)),
+                .map_or_else(Vec::new, |it| it.measured(kind)),
         };
         let tracers = ["ours", "obvhs CwBvh", "obvhs Bvh2", "Embree"];
         let mut best = tracers.map(|tracer| measure(tracer));
@@ -218,57 +220,59 @@ impl Yardsticks {
     }
 }
 
-/// Embree, in a process of its own.
+/// Embree, in a program of its own.
 struct Embree {
-    python: std::ffi::OsString,
-    folder: std::path::PathBuf,
+    folder: PathBuf,
 }
 
 impl Embree {
-    /// Writes what it reads: corners and rays, in single precision.
+    /// Compiles the program and writes what it reads: corners and rays, in single precision.
     fn new(mesh: &Mesh, kinds: &[Kind]) -> Option<Self> {
-        let python = std::env::var_os("CAPWALK_EMBREE")?;
+        let library = PathBuf::from(std::env::var_os("CAPWALK_EMBREE")?);
         let folder = std::env::temp_dir().join(format!("traversal-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("the temporary folder is writable");
+        let beside = library.parent().expect("a library is in a folder");
+        let compiled = Command::new("cc")
+            .args([
+                "-O2",
+                concat!(env!("CARGO_MANIFEST_DIR"), "/benches/embree.c"),
+            ])
+            .arg(&library)
+            .arg(format!("-Wl,-rpath,{}", beside.display()))
+            .arg("-o")
+            .arg(folder.join("program"))
+            .status();
+        assert!(
+            compiled.is_ok_and(|status| status.success()),
+            "CAPWALK_EMBREE names no library that `cc` links benches/embree.c with"
+        );
         let write = |name: &str, numbers: &mut dyn Iterator<Item = f64>| {
             let bytes: Vec<u8> = numbers.flat_map(|v| (v as f32).to_le_bytes()).collect();
             std::fs::write(folder.join(name), bytes).expect("the temporary folder is writable");
         };
         let corners = (0..mesh.faces.len()).flat_map(|face| mesh.corners(face));
         write("corners", &mut corners.flat_map(|p| p.to_array()));
-        for (number, kind) in kinds.iter().enumerate() {
+        for kind in kinds {
             let rays = kind.rays.iter().flat_map(|ray| [ray.origin, ray.direction]);
-            write(&number.to_string(), &mut rays.flat_map(|v| v.to_array()));
+            write(kind.name, &mut rays.flat_map(|v| v.to_array()));
         }
-        Some(Self { python, folder })
+        Some(Self { folder })
     }
 
     /// As [`Kind::measured`].
-    fn measured(&self, number: usize, kind: &Kind) -> Vec<(f64, usize)> {
-        let query = if kind.is_occlusion {
-            "OCCLUDED"
-        } else {
-            "INTERSECT"
-        };
-        let output = Command::new(&self.python)
-            .arg(concat!(env!("CARGO_MANIFEST_DIR"), "/benches/embree.py"))
-            .args([
-                self.folder.join("corners"),
-                self.folder.join(number.to_string()),
-            ])
-            .args([query, &BATCH.to_string()])
+    fn measured(&self, kind: &Kind) -> Vec<(f64, usize)> {
+        let output = Command::new(self.folder.join("program"))
+            .args(["corners", kind.name].map(|name| self.folder.join(name)))
+            .args([u8::from(kind.is_occlusion).to_string(), BATCH.to_string()])
             .output()
-            .expect("CAPWALK_EMBREE names a Python");
+            .expect("what was compiled runs");
         let text = String::from_utf8_lossy(&output.stdout);
         let batch = |line: &str| {
             let (seconds, found) = line.split_once(' ')?;
             Some((seconds.parse().ok()?, found.parse().ok()?))
         };
         let batches: Option<Vec<_>> = text.lines().map(batch).collect();
-        let is_complete = |it: &Vec<_>| it.len() == kind.rays.len().div_ceil(BATCH);
-        batches
-            .filter(is_complete)
-            .unwrap_or_else(|| panic!("embree.py: {}", String::from_utf8_lossy(&output.stderr)))
+        batches.expect("the program prints two numbers a line")
     }
 }
 
