@@ -9,6 +9,9 @@ const TOP: usize = 48;
 /// Children still to visit, each with a lower bound (a non-negative number) of
 /// what it can contribute.
 pub struct Stack {
+    /// The nearest child of a node just opened: it comes next, and is never
+    /// written to memory.
+    next: Option<Child>,
     /// Bound and child in one number, so that numbers compare like bounds: the
     /// bits of non-negative floats do.
     top: [u64; TOP],
@@ -21,25 +24,31 @@ impl Stack {
     /// A stack that holds the root.
     #[inline(always)]
     pub fn with_root() -> Self {
-        let mut top = [0; TOP];
-        top[0] = pack(0.0, Child::node(0));
         Self {
-            top,
-            len: 1,
+            next: Some(Child::node(0)),
+            top: [0; TOP],
+            len: 0,
             below: Vec::new(),
         }
     }
 
-    /// The nearest child of the node opened last, and its bound.
+    /// The nearest child of the node opened last that is not bounded beyond
+    /// `limit`.
     #[inline(always)]
-    pub fn pop(&mut self) -> Option<(f32, Child)> {
-        if self.len == 0 {
-            self.raise();
+    pub fn pop(&mut self, limit: f32) -> Option<Child> {
+        if let Some(next) = self.next.take() {
+            return Some(next);
         }
-        self.len = self.len.checked_sub(1)?;
-        let entry = self.top[self.len];
-        let bound = f32::from_bits((entry >> 32) as u32);
-        Some((bound, Child::from_bits(entry as u32)))
+        loop {
+            if self.len == 0 {
+                self.raise();
+            }
+            self.len = self.len.checked_sub(1)?;
+            let entry = self.top[self.len];
+            if f32::from_bits((entry >> 32) as u32) <= limit {
+                return Some(Child::from_bits(entry as u32));
+            }
+        }
     }
 
     /// Moves all entries below.
@@ -63,23 +72,36 @@ impl Stack {
     /// Pushes the children whose bit is set, the farthest first.
     #[inline(always)]
     pub fn push_sorted(&mut self, mut mask: u32, bounds: &[f32; WIDTH], children: &[Child; WIDTH]) {
+        if mask == 0 {
+            return;
+        }
+        let i = mask.trailing_zeros() as usize % WIDTH;
+        mask &= mask - 1;
+        self.next = Some(children[i]);
+        if mask == 0 {
+            return;
+        }
         if self.len + WIDTH > TOP {
             self.sink();
         }
+        let mut nearest = pack(bounds[i], children[i]);
         let first = self.len;
         while mask != 0 {
             let i = mask.trailing_zeros() as usize % WIDTH;
             mask &= mask - 1;
             let entry = pack(bounds[i], children[i]);
-            // Insertion sort: there are two or three as a rule.
+            let farther = entry.max(nearest);
+            nearest = entry.min(nearest);
+            // Insertion sort: there are one or two as a rule.
             let mut slot = self.len;
-            while slot > first && self.top[slot - 1] < entry {
+            while slot > first && self.top[slot - 1] < farther {
                 self.top[slot] = self.top[slot - 1];
                 slot -= 1;
             }
-            self.top[slot] = entry;
+            self.top[slot] = farther;
             self.len += 1;
         }
+        self.next = Some(Child::from_bits(nearest as u32));
     }
 }
 
@@ -122,7 +144,7 @@ mod tests {
         for round in 0..2000 {
             // Grows to several times the top, then shrinks to nothing.
             if round % 20 < 3 || round > 1000 {
-                let popped = stack.pop().map(|(_, child)| child);
+                let popped = stack.pop(f32::INFINITY);
                 assert_eq!(popped, expected.pop().map(Child::node), "round {round}");
             } else {
                 let mask = 0b1011 << (round % 4);
@@ -133,7 +155,7 @@ mod tests {
                 next += WIDTH;
             }
         }
-        let rest = std::iter::from_fn(|| stack.pop()).map(|(_, child)| child);
+        let rest = std::iter::from_fn(|| stack.pop(f32::INFINITY));
         let expected = expected.into_iter().rev().map(Child::node);
         assert!(rest.eq(expected));
     }

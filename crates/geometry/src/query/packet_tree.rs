@@ -231,10 +231,7 @@ impl Computation for FirstHits<'_> {
             let slabs = Slabs::new(simd, &rays);
             let mut farthest = largest(&rays.end.to_array());
             let mut stack = Stack::with_root();
-            while let Some((near, child)) = stack.pop() {
-                if near > farthest {
-                    continue;
-                }
+            while let Some(child) = stack.pop(farthest) {
                 match child.kind() {
                     Some(ChildKind::Node(node)) => {
                         let node = &tree.nodes[node];
@@ -311,7 +308,7 @@ impl Computation for Occluded<'_> {
         let slabs = Slabs::new(simd, &rays);
         let mut stack = Stack::with_root();
         while unhidden.mask != 0
-            && let Some((_, child)) = stack.pop()
+            && let Some(child) = stack.pop(f32::INFINITY)
         {
             match child.kind() {
                 Some(ChildKind::Node(node)) => {

@@ -51,11 +51,8 @@ impl Computation for FirstHit<'_> {
         let mut bounds = [self.ray.t_min, self.ray.t_max];
         let mut limit = local.limit(bounds[1]);
         let mut stack = Stack::with_root();
-        while let Some((near, child)) = stack.pop() {
-            // The ray enters this box behind a hit found since it was pushed.
-            if near > limit {
-                continue;
-            }
+        // Past boxes that the ray enters behind a hit found since they were pushed.
+        while let Some(child) = stack.pop(limit) {
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
@@ -128,7 +125,7 @@ impl Computation for Occluded<'_> {
         let limit = local.limit(bounds[1]);
         // Any hit will do. Near boxes still come first: they are the likelier ones.
         let mut stack = Stack::with_root();
-        while let Some((_, child)) = stack.pop() {
+        while let Some(child) = stack.pop(limit) {
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
