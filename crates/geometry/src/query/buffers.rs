@@ -92,7 +92,8 @@ impl RayTree {
     /// The tree as flat arrays.
     pub fn buffers(&self) -> RayBuffers {
         let nodes = self.flat.nodes.iter().flat_map(|node| {
-            let planes = node.planes.iter().flatten().map(|plane| plane.to_bits());
+            let planes = node.planes.iter().flatten().flatten();
+            let planes = planes.map(|plane| plane.to_bits());
             planes.chain(children(&node.children))
         });
         let leaves = self.flat.leaves.iter().enumerate();

@@ -145,8 +145,8 @@ impl<S: Simd> Slabs<S> {
             let mut near = simd.splat(0.0);
             let mut far = end;
             for axis in 0..3 {
-                let low = simd.splat(node.planes[axis][slot]) - self.high_origin[axis];
-                let high = simd.splat(node.planes[axis + 3][slot]) - self.low_origin[axis];
+                let low = simd.splat(node.planes[0][axis][slot]) - self.high_origin[axis];
+                let high = simd.splat(node.planes[1][axis][slot]) - self.low_origin[axis];
                 let (first, last) = (low * self.inverse[axis], high * self.inverse[axis]);
                 // Zero stays zero, without a sign.
                 near = first.min(last).max(near);

@@ -3,7 +3,7 @@
 
 use capwalk_math::Vec3;
 
-use crate::aabb::{Aabb, round_up};
+use crate::aabb::Aabb;
 use crate::bvh::{Child, WIDTH};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
@@ -19,7 +19,7 @@ pub const LANES: usize = 4;
 pub struct RayNode {
     /// Low x, y, z, then high x, y, z, of each child. Empty slots have
     /// `low > high`.
-    pub(super) planes: [[f32; WIDTH]; 6],
+    pub(super) planes: [[[f32; WIDTH]; 3]; 2],
     /// In the order of the boxes.
     pub children: [Child; WIDTH],
 }
@@ -27,20 +27,18 @@ pub struct RayNode {
 impl RayNode {
     /// The node with these children and boxes.
     pub fn new(bounds: &[Aabb; WIDTH], children: [Child; WIDTH]) -> Self {
-        let planes = std::array::from_fn(|plane| {
-            bounds.map(|child| match plane {
-                0..3 => child.low[plane],
-                _ => child.high[plane - 3],
-            })
-        });
-        Self { planes, children }
+        let low = std::array::from_fn(|axis| bounds.map(|child| child.low[axis]));
+        let high = std::array::from_fn(|axis| bounds.map(|child| child.high[axis]));
+        Self {
+            planes: [low, high],
+            children,
+        }
     }
 
     /// The middle of the box of one child, and half of its extents.
     pub fn child_box(&self, slot: usize) -> [Vec3; 2] {
-        let [low, high] = [0, 3].map(|first| {
-            Vec3::from([0, 1, 2].map(|axis| f64::from(self.planes[first + axis][slot])))
-        });
+        let corner = |planes: [[f32; WIDTH]; 3]| Vec3::from(planes.map(|own| f64::from(own[slot])));
+        let [low, high] = self.planes.map(corner);
         [(low + high) * 0.5, (high - low) * 0.5]
     }
 
@@ -48,8 +46,8 @@ impl RayNode {
     #[cfg(test)]
     pub fn child_bounds(&self, slot: usize) -> Aabb {
         Aabb {
-            low: std::array::from_fn(|axis| self.planes[axis][slot]),
-            high: std::array::from_fn(|axis| self.planes[axis + 3][slot]),
+            low: self.planes[0].map(|plane| plane[slot]),
+            high: self.planes[1].map(|plane| plane[slot]),
         }
     }
 }
@@ -181,16 +179,12 @@ impl<S: Simd> LocalRay<S> {
     #[inline(always)]
     pub fn new(simd: S, frame: &LocalFrame, ray: &Ray) -> Option<Self> {
         let shear = RayShear::new(ray.direction)?;
-        let speed = shear.inverse_z.abs();
-        let direction = ray.direction * speed;
-        let local_per_world = frame.inverse_scale * ray.direction[shear.axes[2]].abs();
+        let direction = ray.direction * shear.inverse_z.abs();
+        let fastest = ray.direction[shear.axes[2]].abs();
+        let local_per_world = frame.inverse_scale * fastest;
         let origin = frame.local_from_world(ray.origin);
         let margin = PLANE_MARGIN + ORIGIN_MARGIN * origin.map(f64::abs).max_component();
-        let inverse = Vec3::new(
-            inverse_speed(direction.x),
-            inverse_speed(direction.y),
-            inverse_speed(direction.z),
-        );
+        let inverse = ray.direction.map(|speed| inverse_speed(speed, fastest));
 
         // The part of the ray within the tree: it lies between -1 and 1.
         let mut enter = ray.t_min * local_per_world;
@@ -198,8 +192,9 @@ impl<S: Simd> LocalRay<S> {
         for axis in 0..3 {
             let (from, inverse) = (origin[axis], inverse[axis]);
             let side = (1.0 + margin).copysign(inverse);
-            enter = enter.max((-side - from) * inverse);
-            exit = exit.min((side - from) * inverse);
+            let (first, last) = ((-side - from) * inverse, (side - from) * inverse);
+            enter = if first > enter { first } else { enter };
+            exit = if last < exit { last } else { exit };
         }
         let is_in_reach = enter <= exit; // false for NaN
         if !is_in_reach {
@@ -233,7 +228,11 @@ impl<S: Simd> LocalRay<S> {
     /// than the world distance `t`.
     #[inline(always)]
     pub fn limit(&self, t: f64) -> f32 {
-        round_up((t * self.local_per_world).min(self.exit) - self.enter + self.margin)
+        let end = t * self.local_per_world;
+        let end = if end < self.exit { end } else { self.exit };
+        let limit = (end - self.enter + self.margin) as f32;
+        // No nearer than before rounding.
+        limit + limit.abs() * f32::EPSILON
     }
 
     /// Which children the ray may enter before `limit`, and no later than
@@ -241,10 +240,9 @@ impl<S: Simd> LocalRay<S> {
     #[inline(always)]
     pub fn children(&self, simd: S, node: &RayNode, limit: f32) -> (u32, [f32; WIDTH]) {
         let [x, y, z] = &self.slabs;
-        let [low_x, low_y, low_z, high_x, high_y, high_z] = &node.planes;
-        let (x_near, x_far) = x.crossings(simd, low_x, high_x);
-        let (y_near, y_far) = y.crossings(simd, low_y, high_y);
-        let (z_near, z_far) = z.crossings(simd, low_z, high_z);
+        let (x_near, x_far) = x.crossings(simd, node, 0);
+        let (y_near, y_far) = y.crossings(simd, node, 1);
+        let (z_near, z_far) = z.crossings(simd, node, 2);
         let near = x_near.max(y_near).max(z_near.max(simd.splat(0.0)));
         let far = x_far.min(y_far).min(z_far.min(simd.splat(limit)));
         (near.le(far), near.to_array())
@@ -261,12 +259,13 @@ impl<S: Simd> LocalRay<S> {
     }
 }
 
-/// One over a component of a ray's direction, finite.
+/// One over a component of a ray's direction, relative to the fastest; finite.
 #[inline(always)]
-fn inverse_speed(direction: f64) -> f64 {
-    let is_slow = direction.abs() < SLOWEST;
-    let speed = if is_slow { SLOWEST } else { direction.abs() };
-    speed.recip().copysign(direction)
+fn inverse_speed(speed: f64, fastest: f64) -> f64 {
+    const LARGEST: f64 = 1.0 / SLOWEST;
+    let inverse = fastest / speed.abs();
+    let is_slow = inverse > LARGEST;
+    (if is_slow { LARGEST } else { inverse }).copysign(speed)
 }
 
 /// A ray's motion along one axis.
@@ -295,12 +294,10 @@ impl<S: Simd> Slab<S> {
 
     /// Where the ray enters and leaves eight boxes, as far as this axis goes.
     #[inline(always)]
-    fn crossings(&self, simd: S, low: &[f32; WIDTH], high: &[f32; WIDTH]) -> (S::F32x8, S::F32x8) {
-        let (first, last) = if self.is_reversed {
-            (high, low)
-        } else {
-            (low, high)
-        };
+    fn crossings(&self, simd: S, node: &RayNode, axis: usize) -> (S::F32x8, S::F32x8) {
+        // An address instead of a choice.
+        let first = &node.planes[usize::from(self.is_reversed)][axis];
+        let last = &node.planes[usize::from(!self.is_reversed)][axis];
         let near = simd.load(first).mul_sub(self.inverse, self.offset_near);
         let far = simd.load(last).mul_sub(self.inverse, self.offset_far);
         (near, far)
