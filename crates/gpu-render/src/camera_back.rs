@@ -119,12 +119,8 @@ impl<'a> CameraBack<'a> {
         let (number, other) = compute(&eval);
         let zero = Var::constant(0.0);
         let one = Rgb::new(1.0, 0.0, 0.0);
-        eval.pull_back(
-            Rgb::new(number, zero, zero),
-            one,
-            &mut adjoints,
-            &mut covectors,
-        );
+        let results = [(Rgb::new(number, zero, zero), one)];
+        eval.pull_back(&results, &mut adjoints, &mut covectors);
         (covectors, other)
     }
 }
