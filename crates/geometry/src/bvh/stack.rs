@@ -69,9 +69,10 @@ impl Stack {
         }
     }
 
-    /// Pushes the children whose bit is set, the farthest first.
+    /// Pushes the children of the node popped last whose bit is set, the farthest first.
     #[inline(always)]
     pub fn push_sorted(&mut self, mut mask: u32, bounds: &[f32; WIDTH], children: &[Child; WIDTH]) {
+        debug_assert!(self.next.is_none(), "a node is opened that is not popped");
         if mask == 0 {
             return;
         }
@@ -142,11 +143,10 @@ mod tests {
         let mut next = 1;
         let bounds: [f32; WIDTH] = std::array::from_fn(|i| 10.0 - i as f32);
         for round in 0..2000 {
+            let popped = stack.pop(f32::INFINITY);
+            assert_eq!(popped, expected.pop().map(Child::node), "round {round}");
             // Grows to several times the top, then shrinks to nothing.
-            if round % 20 < 3 || round > 1000 {
-                let popped = stack.pop(f32::INFINITY);
-                assert_eq!(popped, expected.pop().map(Child::node), "round {round}");
-            } else {
+            if round % 20 >= 3 && round <= 1000 {
                 let mask = 0b1011 << (round % 4);
                 let children = std::array::from_fn(|i| Child::node(next + i));
                 stack.push_sorted(mask, &bounds, &children);
