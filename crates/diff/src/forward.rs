@@ -321,9 +321,9 @@ fn take_together(
     let mut samples = Vec::with_capacity(places.len());
     let mut derivatives = vec![Rgb::zero(); places.len()];
     let covectors = vec![Rgb::splat(1.0); places.len()];
-    lanes.differentiate(places, &covectors, &mut samples, |sample, dependence| {
+    lanes.differentiate(places, &covectors, &mut samples, |sample, on_path| {
         // Channels of light depend on the same channels alone.
-        let results = tracer.depends_on(eval, &dependence);
+        let results = tracer.depends_on(eval, &on_path);
         for (result, covector) in results {
             derivatives[sample] += result.tangent(0) * covector;
         }

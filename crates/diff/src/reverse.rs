@@ -14,8 +14,8 @@ use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles::{self, Sample, SamplePlace};
 use capwalk_render::{
-    Accumulate, Along, Dependence, Grid, LaneTracer, Missing, MotionFacts, OrderedSum, Part,
-    PartError, Partial, PreparedScene, Statistics, Tracer, Unwatched, Watch,
+    Accumulate, Along, Grid, LaneTracer, Missing, MotionFacts, OrderedSum, Part, PartError,
+    Partial, PathAdjoint, PreparedScene, Statistics, Tracer, Unwatched, Watch,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint, memory};
 use rayon::prelude::*;
@@ -674,8 +674,8 @@ impl Pass<'_> {
         on_scene.resize(LOOK_UP, Vec::new());
         on_scene.iter_mut().for_each(Vec::clear);
         taken.clear();
-        lanes.differentiate(places, on_light, taken, |sample, dependence| {
-            self.pull_back(dependence, tape, adjoints, &mut on_scene[sample]);
+        lanes.differentiate(places, on_light, taken, |sample, on_path| {
+            self.pull_back(on_path, tape, adjoints, &mut on_scene[sample]);
         });
         for (sample, covectors) in taken.iter().zip(&*on_scene) {
             let light = Rgb::from(sample.numbers).mean();
@@ -689,17 +689,17 @@ impl Pass<'_> {
     /// From the covector on what is made of numbers of the scene to those on the numbers.
     fn pull_back(
         &self,
-        dependence: Dependence,
+        on_path: PathAdjoint,
         tape: &mut Tape,
         adjoints: &mut Adjoints,
         covectors: &mut Vec<(Target, Vec3)>,
     ) {
         // It needs no tape: values of textures are sums of texels.
-        if let Dependence::Reflectance {
+        if let PathAdjoint::Reflectance {
             texture,
             point,
             covector,
-        } = &dependence
+        } = &on_path
         {
             let covector = Vec3::from(covector.to_array());
             let texel = |id: TextureId, index, weight| {
@@ -710,7 +710,7 @@ impl Pass<'_> {
             return self.scene.texel_weights(*texture, point, texel);
         }
         let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
-        let results = self.tracer.depends_on(&eval, &dependence);
+        let results = self.tracer.depends_on(&eval, &on_path);
         eval.pull_back(&results, adjoints, covectors);
         tape.clear();
     }

@@ -64,7 +64,7 @@ fn main() {
                 .map_or_else(Vec::new, |it| it.measured(kind)),
         };
         let tracers = ["ours", "obvhs CwBvh", "obvhs Bvh2", "Embree"];
-        let mut best = tracers.map(|tracer| measure(tracer));
+        let mut best = tracers.map(&measure);
         for _ in 1..rounds {
             for (tracer, best) in tracers.iter().zip(&mut best) {
                 for (best, again) in best.iter_mut().zip(measure(tracer)) {

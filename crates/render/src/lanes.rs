@@ -16,7 +16,9 @@
 
 mod frames;
 mod gradient;
+mod kept;
 mod lights;
+mod lit;
 mod lobes;
 mod rays;
 mod rough;
@@ -40,9 +42,9 @@ use crate::prepared::PreparedScene;
 use crate::radiance::{RR_MAX, RR_MIN};
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
-use gradient::Step;
-pub use gradient::{Arriving, Dependence};
-use lights::{LaneChoices, LaneLights, Lit};
+use kept::Step;
+use lights::{LaneChoices, LaneLights};
+use lit::Lit;
 use lobes::LaneLobes;
 use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING};
@@ -108,19 +110,20 @@ impl Paths<'_> {
 
     /// Keeps a vertex of some lanes, if light is to be differentiated.
     fn keep(&mut self, active: u32) {
-        if let Some(mut steps) = self.steps.take() {
-            steps.push(Step::new(active, self));
-            self.steps = Some(steps);
+        let (vertices, with_lobes) = (&self.vertices, self.lobes.with_lobes);
+        if let Some(steps) = &mut self.steps {
+            let throughput = &self.throughput;
+            steps.push(Step::new(
+                active, self.faces, vertices, throughput, with_lobes,
+            ));
         }
     }
 
     /// Keeps the directions drawn there.
-    fn keep_drawn(&mut self, drawn: u32) {
-        if let Some(mut steps) = self.steps.take() {
-            if let Some(step) = steps.last_mut() {
-                step.set_drawn(drawn, self);
-            }
-            self.steps = Some(steps);
+    fn keep_drawn(&mut self, is_drawn: u32) {
+        if let Some(step) = self.steps.iter_mut().flatten().last() {
+            let (scattered, events) = (&self.vertices.scattered, self.lobes.events());
+            step.set_drawn(is_drawn, &self.drawn, scattered, self.faces, events);
         }
     }
 

@@ -29,8 +29,8 @@ use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
-use crate::lanes::Dependence;
 use crate::light::{Continuation, emitter_towards, sample_lights};
+use crate::path_adjoint::PathAdjoint;
 use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
 use crate::shading::{add_lobes, black_vertex_at};
@@ -258,11 +258,11 @@ impl Tracer<'_> {
     pub fn depends_on<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        dependence: &Dependence,
+        adjoint: &PathAdjoint,
     ) -> [(Rgb<R>, Rgb); 2] {
         let nothing = (Rgb::zero(), Rgb::zero());
-        match dependence {
-            Dependence::Emitted {
+        match adjoint {
+            PathAdjoint::Emitted {
                 emitter,
                 hit,
                 ray,
@@ -275,7 +275,7 @@ impl Tracer<'_> {
                 };
                 [(emitted, *covector), nothing]
             }
-            Dependence::Reflectance {
+            PathAdjoint::Reflectance {
                 texture,
                 point,
                 covector,
@@ -283,7 +283,7 @@ impl Tracer<'_> {
                 let reflectance = eval.lookup(*texture, &point.constant());
                 [(reflectance, *covector), nothing]
             }
-            Dependence::Scattered { hit, ray, arrives } => {
+            PathAdjoint::Scattered { hit, ray, arrives } => {
                 let [origin, direction] = ray.map(Vec3::constant);
                 let surface = surface_at(eval, self.accel, hit, origin, direction);
                 let mut vertex = black_vertex_at(&surface, direction);

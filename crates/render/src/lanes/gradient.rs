@@ -7,150 +7,14 @@
 //! `A T L`. What arrives by the direction in which the path goes on is known when the vertices behind
 //! are: they are visited last first. Densities, weights and roulette are detached.
 
-use capwalk_geometry::Hit;
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::lobe::Specular;
-use capwalk_scene::{EmitterId, SurfacePoint, TextureId};
+use capwalk_scene::EmitterId;
 
-use crate::lanes::lights::Lit;
-use crate::lanes::step::{Brdf, Vertices};
-use crate::lanes::vectors::{LANES, Numbers, Vectors};
+use crate::lanes::kept::Step;
+use crate::lanes::vectors::LANES;
 use crate::lanes::{LaneTracer, Paths};
+use crate::path_adjoint::{Arriving, PathAdjoint};
 use crate::tiles::{Sample, SamplePlace};
-
-/// Numbers of the scene on which the light of a sample depends, with its covector on what is made of
-/// them.
-#[derive(Clone, Copy, Debug)]
-pub enum Dependence {
-    /// What an emitter sends back along a ray.
-    Emitted {
-        /// The emitter.
-        emitter: EmitterId,
-        /// The point of it, if it is on a surface.
-        hit: Option<Hit>,
-        /// Origin and direction of the ray.
-        ray: [Vec3; 2],
-        /// On the radiance, or on the irradiance of an emitter without extent.
-        covector: Rgb,
-    },
-    /// What a diffuse surface reflects.
-    Reflectance {
-        /// The texture of it.
-        texture: TextureId,
-        /// Where.
-        point: SurfacePoint<f64>,
-        /// On its value.
-        covector: Rgb,
-    },
-    /// What another surface scatters.
-    Scattered {
-        /// Where.
-        hit: Hit,
-        /// Origin and direction of the ray that hits it.
-        ray: [Vec3; 2],
-        /// Light towards which it was sampled, and along which the path goes on.
-        arrives: [Option<Arriving>; 2],
-    },
-}
-
-/// Light that arrives at a surface.
-#[derive(Clone, Copy, Debug)]
-pub struct Arriving {
-    /// The unit direction that it comes from.
-    pub direction: Vec3,
-    /// The specular event by which it is seen.
-    pub specular: Option<Specular>,
-    /// On the BSDF times the cosine, or on the fraction of light of the event.
-    pub covector: Rgb,
-}
-
-/// A vertex of sixteen paths.
-pub struct Step {
-    /// One bit for each that has it.
-    active: u32,
-    faces: [u32; LANES],
-    vertices: Vertices,
-    /// What surfaces scatter over the density is in `scattered` of the vertices.
-    drawn: Brdf,
-    /// One bit for each from which a direction was drawn.
-    is_drawn: u32,
-    events: [Option<(Specular, f64)>; LANES],
-    /// One bit for each whose surface has lobes.
-    with_lobes: u32,
-    throughput: Vectors,
-    lit: Lit,
-    /// One bit for each that an emitter lights, and what is scattered of that.
-    is_lit: u32,
-    lit_scattered: Vectors,
-    /// What the drawn directions lead to.
-    met_faces: [u32; LANES],
-    met: [Option<EmitterId>; LANES],
-    met_radiance: Vectors,
-    met_weight: Numbers,
-    survival: Numbers,
-}
-
-impl Step {
-    /// A vertex that paths reach, before anything is sampled there.
-    pub fn new(active: u32, paths: &Paths<'_>) -> Self {
-        Self {
-            active,
-            faces: paths.faces,
-            vertices: paths.vertices,
-            drawn: paths.drawn,
-            is_drawn: 0,
-            events: [None; LANES],
-            with_lobes: paths.lobes.with_lobes,
-            throughput: paths.throughput,
-            lit: Lit::default(),
-            is_lit: 0,
-            lit_scattered: Vectors::ZERO,
-            met_faces: paths.faces,
-            met: [None; LANES],
-            met_radiance: Vectors::ZERO,
-            met_weight: [0.0; LANES],
-            survival: [1.0; LANES],
-        }
-    }
-
-    /// Light towards which directions were drawn, and what of it is scattered.
-    pub fn set_lit(&mut self, seen: u32, lit: &Lit, scattered: &Vectors) {
-        self.lit = lit.clone();
-        self.is_lit = seen;
-        self.lit_scattered = *scattered;
-    }
-
-    /// What a drawn direction meets that emits.
-    pub fn set_met(&mut self, lane: usize, emitter: EmitterId, radiance: Rgb, weight: f64) {
-        self.met[lane] = Some(emitter);
-        self.met_radiance.set_colour(lane, radiance);
-        self.met_weight[lane] = weight;
-    }
-
-    /// Directions that were drawn, and what they meet.
-    pub fn set_drawn(&mut self, drawn: u32, paths: &Paths<'_>) {
-        self.is_drawn = drawn;
-        self.drawn = paths.drawn;
-        self.vertices.scattered = paths.vertices.scattered;
-        self.met_faces = paths.faces;
-        self.events = paths.lobes.events();
-    }
-
-    /// What the covector on the BSDF times the cosine, or on the reflectance of what is diffuse, has
-    /// of the density of a drawn direction.
-    fn over_density(&self, lane: usize) -> f64 {
-        match (self.with_lobes >> lane & 1, self.events[lane]) {
-            (0, _) => 1.0,
-            (_, Some((_, probability))) => 1.0 / probability,
-            (_, None) => 1.0 / self.drawn.pdf[lane],
-        }
-    }
-
-    /// With which probability a path survives roulette.
-    pub fn set_survival(&mut self, lane: usize, survival: f64) {
-        self.survival[lane] = survival;
-    }
-}
 
 impl LaneTracer<'_> {
     /// Appends the samples of some places, and calls `depends` with all numbers on which their light
@@ -161,7 +25,7 @@ impl LaneTracer<'_> {
         places: &[SamplePlace],
         covectors: &[Rgb],
         taken: &mut Vec<Sample<3>>,
-        mut depends: impl FnMut(usize, Dependence),
+        mut depends: impl FnMut(usize, PathAdjoint),
     ) {
         let Some(first) = places.first() else {
             return;
@@ -172,7 +36,7 @@ impl LaneTracer<'_> {
         for (chunk, (places, covectors)) in chunks.enumerate() {
             let weights = self.take_some(places, &mut paths, taken);
             for (lane, (&covector, weight)) in covectors.iter().zip(weights).enumerate() {
-                let depends = &mut |dependence| depends(chunk * LANES + lane, dependence);
+                let depends = &mut |adjoint| depends(chunk * LANES + lane, adjoint);
                 self.pull(&paths, lane, covector * weight, depends);
             }
         }
@@ -184,7 +48,7 @@ impl LaneTracer<'_> {
         paths: &Paths<'_>,
         lane: usize,
         covector: Rgb,
-        depends: &mut impl FnMut(Dependence),
+        depends: &mut impl FnMut(PathAdjoint),
     ) {
         // What the vertex behind sends back.
         let mut behind = Rgb::zero();
@@ -205,7 +69,7 @@ impl LaneTracer<'_> {
         lane: usize,
         covector: Rgb,
         behind: Rgb,
-        depends: &mut impl FnMut(Dependence),
+        depends: &mut impl FnMut(PathAdjoint),
     ) -> Rgb {
         let (vertices, lit) = (&step.vertices, &step.lit);
         let on_light = covector * step.throughput.colour(lane);
@@ -222,11 +86,11 @@ impl LaneTracer<'_> {
                 specular: None,
                 covector: on_light * radiance * lit.weight[lane],
             });
-            let emitter = lit.emitter(lane);
+            let emitter = lit.emitters[lane];
             if self.lights.is_asked_for(emitter) {
                 let ray = [position, direction];
                 let hit = self.lights.hit(vertices, lit, lane);
-                depends(Dependence::Emitted {
+                depends(PathAdjoint::Emitted {
                     emitter,
                     hit,
                     ray,
@@ -258,12 +122,12 @@ impl LaneTracer<'_> {
             let covectors = arrives.iter().flatten().map(|light| light.covector);
             let sum = covectors.fold(Rgb::zero(), |sum, covector| sum + covector);
             depends(match self.scene.reflectance(face, lane, vertices) {
-                Some((texture, point)) => Dependence::Reflectance {
+                Some((texture, point)) => PathAdjoint::Reflectance {
                     texture,
                     point,
                     covector: sum,
                 },
-                None => Dependence::Scattered {
+                None => PathAdjoint::Scattered {
                     hit: self.scene.hit_of(face, lane, vertices),
                     ray: [vertices.origin.get(lane), vertices.direction.get(lane)],
                     arrives,
@@ -279,10 +143,10 @@ impl LaneTracer<'_> {
         face: u32,
         ray: [Vec3; 2],
         covector: Rgb,
-        depends: &mut impl FnMut(Dependence),
+        depends: &mut impl FnMut(PathAdjoint),
     ) {
         if self.lights.is_asked_for(emitter) {
-            depends(Dependence::Emitted {
+            depends(PathAdjoint::Emitted {
                 emitter,
                 hit: self.scene.hit(face, ray[0], ray[1]),
                 ray,

@@ -9,6 +9,7 @@ use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
 
 use crate::emitter_choice::EmitterChoice;
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
+use crate::lanes::lit::Lit;
 use crate::lanes::lobes::LaneLobes;
 use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
@@ -41,50 +42,6 @@ struct Kind<'a> {
     radiance: Option<Rgb>,
     /// True if it has no extent.
     is_delta: bool,
-}
-
-/// Directions towards emitters.
-#[derive(Clone, Debug)]
-pub struct Lit {
-    /// Unit directions, and the distances between which something hides the emitters: zero and
-    /// their own.
-    pub direction: Vectors,
-    pub range: [Numbers; 2],
-    /// The inverse of the density with which all directions are drawn together.
-    pub inverse_density: Numbers,
-    /// Where surfaces are diffuse, the cosine over π, times the weight, over the density; where
-    /// they have lobes, the weight over the density.
-    pub weight: Numbers,
-    /// What the emitters send from there.
-    pub radiance: Vectors,
-    /// One bit for each that leads to an emitter, and for each that leads to one without extent.
-    pub mask: u32,
-    pub of_delta: u32,
-    emitters: [EmitterId; LANES],
-    hits: [Option<Hit>; LANES],
-}
-
-impl Lit {
-    /// The emitter towards which the direction of a lane leads.
-    pub fn emitter(&self, lane: usize) -> EmitterId {
-        self.emitters[lane]
-    }
-}
-
-impl Default for Lit {
-    fn default() -> Self {
-        Self {
-            direction: Vectors::UP,
-            range: [[0.0; LANES]; 2],
-            inverse_density: [0.0; LANES],
-            weight: [0.0; LANES],
-            radiance: Vectors::ZERO,
-            mask: 0,
-            of_delta: 0,
-            emitters: [EmitterId(0); LANES],
-            hits: [None; LANES],
-        }
-    }
 }
 
 /// Which emitters surfaces choose.

@@ -7,7 +7,7 @@ use capwalk_scene::Resolved;
 use capwalk_scene::lobe::{BsdfDirection, LocalBsdf, RoughSurface, Specular};
 
 use crate::lanes::frames::{FindFrames, LaneFrames, ToLocal, ToWorld};
-use crate::lanes::lights::Lit;
+use crate::lanes::lit::Lit;
 use crate::lanes::rough::{
     DrawFacets, LaneRough, LaneScattered, Scatter, Seen, WeighDrawn, WeighPoints,
 };

@@ -10,7 +10,7 @@ use capwalk_math::{Frame, Vec3};
 use capwalk_scene::lobe::sample_cosine;
 use capwalk_scene::sensor::view::View;
 
-use crate::lanes::lights::Lit;
+use crate::lanes::lit::Lit;
 use crate::lanes::vectors::{ALL, LANES, Numbers, Vectors, mask_of};
 use crate::light::NARROW;
 use crate::triangle_sampler::Node;

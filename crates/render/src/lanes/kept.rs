@@ -1,0 +1,110 @@
+//! What is kept of the vertices of paths, for the derivatives of their light.
+
+use capwalk_math::Rgb;
+use capwalk_scene::EmitterId;
+use capwalk_scene::lobe::Specular;
+
+use crate::lanes::lit::Lit;
+use crate::lanes::step::{Brdf, Vertices};
+use crate::lanes::vectors::{LANES, Numbers, Vectors};
+
+/// A vertex of sixteen paths.
+pub struct Step {
+    /// One bit for each that has it.
+    pub active: u32,
+    pub faces: [u32; LANES],
+    pub vertices: Vertices,
+    /// What surfaces scatter over the density is in `scattered` of the vertices.
+    pub drawn: Brdf,
+    /// One bit for each from which a direction was drawn.
+    pub is_drawn: u32,
+    pub events: [Option<(Specular, f64)>; LANES],
+    /// One bit for each whose surface has lobes.
+    pub with_lobes: u32,
+    pub throughput: Vectors,
+    pub lit: Lit,
+    /// One bit for each that an emitter lights, and what is scattered of that.
+    pub is_lit: u32,
+    pub lit_scattered: Vectors,
+    /// What the drawn directions lead to.
+    pub met_faces: [u32; LANES],
+    pub met: [Option<EmitterId>; LANES],
+    pub met_radiance: Vectors,
+    pub met_weight: Numbers,
+    pub survival: Numbers,
+}
+
+impl Step {
+    /// A vertex that paths reach, before anything is sampled there.
+    pub fn new(
+        active: u32,
+        faces: [u32; LANES],
+        vertices: &Vertices,
+        throughput: &Vectors,
+        with_lobes: u32,
+    ) -> Self {
+        Self {
+            active,
+            faces,
+            vertices: *vertices,
+            drawn: Brdf::default(),
+            is_drawn: 0,
+            events: [None; LANES],
+            with_lobes,
+            throughput: *throughput,
+            lit: Lit::default(),
+            is_lit: 0,
+            lit_scattered: Vectors::ZERO,
+            met_faces: faces,
+            met: [None; LANES],
+            met_radiance: Vectors::ZERO,
+            met_weight: [0.0; LANES],
+            survival: [1.0; LANES],
+        }
+    }
+
+    /// Light towards which directions were drawn, and what of it is scattered.
+    pub fn set_lit(&mut self, seen: u32, lit: &Lit, scattered: &Vectors) {
+        self.lit = lit.clone();
+        self.is_lit = seen;
+        self.lit_scattered = *scattered;
+    }
+
+    /// What a drawn direction meets that emits.
+    pub fn set_met(&mut self, lane: usize, emitter: EmitterId, radiance: Rgb, weight: f64) {
+        self.met[lane] = Some(emitter);
+        self.met_radiance.set_colour(lane, radiance);
+        self.met_weight[lane] = weight;
+    }
+
+    /// Directions that were drawn, and what they meet.
+    pub fn set_drawn(
+        &mut self,
+        is_drawn: u32,
+        drawn: &Brdf,
+        scattered: &Vectors,
+        faces: [u32; LANES],
+        events: [Option<(Specular, f64)>; LANES],
+    ) {
+        self.is_drawn = is_drawn;
+        self.drawn = *drawn;
+        self.vertices.scattered = *scattered;
+        self.met_faces = faces;
+        self.events = events;
+    }
+
+    /// What the covector on the BSDF times the cosine, or on the reflectance of what is diffuse, has
+    /// of the density of a drawn direction.
+    pub fn over_density(&self, lane: usize) -> f64 {
+        match (self.with_lobes >> lane & 1, self.events[lane]) {
+            (0, _) => 1.0,
+            (_, Some((_, probability))) => 1.0 / probability,
+            (_, None) => 1.0 / self.drawn.pdf[lane],
+        }
+    }
+
+    /// With which probability a path survives roulette.
+    pub fn set_survival(&mut self, lane: usize, survival: f64) {
+        self.survival[lane] = survival;
+    }
+}

@@ -1,0 +1,44 @@
+//! Directions towards emitters, and the light that arrives by them.
+
+use capwalk_geometry::Hit;
+use capwalk_scene::EmitterId;
+
+use crate::lanes::vectors::{LANES, Numbers, Vectors};
+
+/// Directions towards emitters.
+#[derive(Clone, Debug)]
+pub struct Lit {
+    /// Unit directions, and the distances between which something hides the emitters: zero and
+    /// their own.
+    pub direction: Vectors,
+    pub range: [Numbers; 2],
+    /// The inverse of the density with which all directions are drawn together.
+    pub inverse_density: Numbers,
+    /// Where surfaces are diffuse, the cosine over π, times the weight, over the density; where
+    /// they have lobes, the weight over the density.
+    pub weight: Numbers,
+    /// What the emitters send from there.
+    pub radiance: Vectors,
+    /// One bit for each that leads to an emitter, and for each that leads to one without extent.
+    pub mask: u32,
+    pub of_delta: u32,
+    /// The emitters, and the points of those that are surfaces but no rectangles.
+    pub emitters: [EmitterId; LANES],
+    pub hits: [Option<Hit>; LANES],
+}
+
+impl Default for Lit {
+    fn default() -> Self {
+        Self {
+            direction: Vectors::UP,
+            range: [[0.0; LANES]; 2],
+            inverse_density: [0.0; LANES],
+            weight: [0.0; LANES],
+            radiance: Vectors::ZERO,
+            mask: 0,
+            of_delta: 0,
+            emitters: [EmitterId(0); LANES],
+            hits: [None; LANES],
+        }
+    }
+}
