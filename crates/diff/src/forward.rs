@@ -310,6 +310,9 @@ impl<'a> GradientWork<'a> {
     }
 }
 
+/// The effort of the derivative at one place of a path, about.
+const EFFORT_OF_ADJOINT: u64 = 8;
+
 /// Appends the samples of some places, in which nothing moves.
 fn take_together(
     lanes: &LaneTracer<'_>,
@@ -321,21 +324,29 @@ fn take_together(
     let mut samples = Vec::with_capacity(places.len());
     let mut derivatives = vec![Rgb::zero(); places.len()];
     let covectors = vec![Rgb::splat(1.0); places.len()];
+    let mut efforts = vec![0; places.len()];
     lanes.differentiate(places, &covectors, &mut samples, |sample, on_path| {
+        efforts[sample] += EFFORT_OF_ADJOINT;
         // Channels of light depend on the same channels alone.
         let results = tracer.depends_on(eval, &on_path);
         for (result, covector) in results {
             derivatives[sample] += result.tangent(0) * covector;
         }
     });
-    taken.extend(samples.iter().zip(derivatives).map(|(sample, derivative)| {
-        let [[a, b, c], [d, e, f]] = [sample.numbers, derivative.to_array()];
-        Sample {
-            numbers: [a, b, c, d, e, f, 0.0],
-            effort: sample.effort,
-            ..Sample::default()
-        }
-    }));
+    let derivatives = derivatives.into_iter().zip(efforts);
+    taken.extend(
+        samples
+            .iter()
+            .zip(derivatives)
+            .map(|(sample, (derivative, effort))| {
+                let [[a, b, c], [d, e, f]] = [sample.numbers, derivative.to_array()];
+                Sample {
+                    numbers: [a, b, c, d, e, f, 0.0],
+                    effort: sample.effort + effort,
+                    ..Sample::default()
+                }
+            }),
+    );
 }
 
 /// Numbers of a sample: value, derivative, and what of the value arrives where something is

@@ -121,7 +121,7 @@ impl Paths<'_> {
 
     /// Keeps the directions drawn there.
     fn keep_drawn(&mut self, is_drawn: u32) {
-        if let Some(step) = self.steps.iter_mut().flatten().last() {
+        if let Some(step) = self.steps.as_mut().and_then(|steps| steps.last_mut()) {
             let (scattered, events) = (&self.vertices.scattered, self.lobes.events());
             step.set_drawn(is_drawn, &self.drawn, scattered, self.faces, events);
         }
@@ -458,7 +458,7 @@ impl<'a> LaneTracer<'a> {
             radiance: &lit.radiance,
             lanes: seen,
         });
-        if let Some(step) = paths.steps.iter_mut().flatten().last() {
+        if let Some(step) = paths.steps.as_mut().and_then(|steps| steps.last_mut()) {
             step.set_lit(seen, lit, &vertices.scattered);
         }
         paths.count_rays(wanted);
