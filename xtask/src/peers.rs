@@ -32,7 +32,7 @@ const REFERENCE: &str = "edges";
 
 /// What is measured, by the arguments of the task.
 #[derive(Default)]
-struct Wish {
+struct Request {
     /// So few samples that the numbers mean nothing, to see that everything works.
     quick: bool,
     only_images: bool,
@@ -45,33 +45,33 @@ struct Wish {
     names: Vec<String>,
 }
 
-impl Wish {
+impl Request {
     fn new(arguments: &[String]) -> Result<Self> {
-        let mut wish = Self::default();
+        let mut request = Self::default();
         let mut arguments = arguments.iter();
         while let Some(argument) = arguments.next() {
             match argument.as_str() {
-                "--quick" => wish.quick = true,
-                "--images" => wish.only_images = true,
-                "--texels" => wish.only_texels = true,
-                "--tables" => wish.only_tables = true,
+                "--quick" => request.quick = true,
+                "--images" => request.only_images = true,
+                "--texels" => request.only_texels = true,
+                "--tables" => request.only_tables = true,
                 "--public" => {
                     let folder = arguments.next();
                     let folder = folder.context("expected a folder after --public")?;
-                    wish.public = Some(std::path::absolute(folder)?);
+                    request.public = Some(std::path::absolute(folder)?);
                 }
                 option if option.starts_with("--") => bail!(
                     "expected --quick, --images, --texels, --tables, --public FOLDER or names of \
                      scenes instead of {option}"
                 ),
-                _ => wish.names.push(argument.clone()),
+                _ => request.names.push(argument.clone()),
             }
         }
         ensure!(
-            !(wish.only_images && wish.only_texels),
+            !(request.only_images && request.only_texels),
             "expected --images or --texels, not both"
         );
-        Ok(wish)
+        Ok(request)
     }
 
     /// The folder of results. What means nothing must not replace what does, nor a part
@@ -132,10 +132,10 @@ impl Wish {
 
 /// Measures scenes, and prints the tables.
 pub fn run(arguments: &[String]) -> Result<()> {
-    let wish = Wish::new(arguments)?;
-    let subjects = wish.subjects()?;
-    let work = wish.folder();
-    if wish.only_tables {
+    let request = Request::new(arguments)?;
+    let subjects = request.subjects()?;
+    let work = request.folder();
+    if request.only_tables {
         return print_earlier(&subjects, &work);
     }
     fs::create_dir_all(&work)?;
@@ -143,7 +143,7 @@ pub fn run(arguments: &[String]) -> Result<()> {
     let llvm = llvm();
     match &llvm {
         Some(file) => println!("--- LLVM: {}", file.display()),
-        None if wish.only_texels => bail!("{WITHOUT_LLVM}"),
+        None if request.only_texels => bail!("{WITHOUT_LLVM}"),
         None => println!("note: {WITHOUT_LLVM}"),
     }
     let measure = Measure {
@@ -151,7 +151,7 @@ pub fn run(arguments: &[String]) -> Result<()> {
         python,
         llvm,
         work,
-        wish,
+        request,
     };
 
     println!("--- capwalk and {MITSUBA}, one thread each");
@@ -208,7 +208,7 @@ struct Measure {
     python: PathBuf,
     llvm: Option<PathBuf>,
     work: PathBuf,
-    wish: Wish,
+    request: Request,
 }
 
 impl Measure {
@@ -216,7 +216,7 @@ impl Measure {
     fn scene(&self, subject: &Subject) -> Result<Value> {
         let name = subject.name;
         let folder = self.work.join("scenes").join(name);
-        let public = self.wish.public.as_deref();
+        let public = self.request.public.as_deref();
         let file = subject.copy_to(&folder, &self.capwalk, public)?;
         let source = match (&subject.from, public) {
             (Origin::Public(path, _), Some(public)) => {
@@ -243,8 +243,8 @@ impl Measure {
             "methods": METHODS,
             "reference_method": REFERENCE,
             "llvm": self.llvm,
-            "quick": self.wish.quick,
-            "parts": self.wish.parts(subject, self.llvm.is_some()),
+            "quick": self.request.quick,
+            "parts": self.request.parts(subject, self.llvm.is_some()),
         });
         let plan_file = folder.join("plan.json");
         fs::write(&plan_file, format!("{plan:#}"))?;
@@ -272,13 +272,13 @@ impl Measure {
 mod tests {
     use super::*;
 
-    fn wish(arguments: &[&str]) -> Wish {
+    fn request(arguments: &[&str]) -> Request {
         let arguments: Vec<String> = arguments.iter().map(|text| (*text).to_owned()).collect();
-        Wish::new(&arguments).unwrap()
+        Request::new(&arguments).unwrap()
     }
 
     fn names(arguments: &[&str]) -> Vec<&'static str> {
-        let subjects = wish(arguments).subjects().unwrap();
+        let subjects = request(arguments).subjects().unwrap();
         subjects.iter().map(|subject| subject.name).collect()
     }
 
@@ -286,7 +286,7 @@ mod tests {
     fn names_choose_scenes() {
         assert_eq!(names(&["--public", "x"]).len(), SUBJECTS.len());
         assert_eq!(names(&["ball"]), ["ball"]);
-        let Err(error) = wish(&["bal"]).subjects() else {
+        let Err(error) = request(&["bal"]).subjects() else {
             panic!("there is no such scene");
         };
         assert!(error.to_string().contains("leaf, ball"), "{error}");
@@ -299,14 +299,14 @@ mod tests {
         assert_eq!(names(&["many", "cbox"]), ["many"]);
         assert_eq!(names(&["many", "cbox", "--public", "x"]), ["many", "cbox"]);
         assert_eq!(names(&["many", "cbox", "--tables"]), ["many", "cbox"]);
-        assert!(Wish::new(&["--public".to_owned()]).is_err());
+        assert!(Request::new(&["--public".to_owned()]).is_err());
     }
 
     #[test]
     fn options_choose_parts() {
         let parts = |options: &[&str], name: &str| {
             let subject = SUBJECTS.iter().find(|subject| subject.name == name);
-            wish(options).parts(subject.expect("a scene"), true)
+            request(options).parts(subject.expect("a scene"), true)
         };
         assert_eq!(parts(&[], "leaf"), ["motion", "image"]);
         assert_eq!(parts(&[], "sky-texels"), ["texels", "image"]);

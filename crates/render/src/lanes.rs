@@ -47,7 +47,7 @@ use lights::{LaneChoices, LaneLights};
 use lit::Lit;
 use lobes::LaneLobes;
 use rays::{ALL_BEHIND, LaneRays, Meets};
-use scene::{LaneScene, NOTHING};
+use scene::{LaneScene, NOTHING, asked_slots};
 use step::{Brdf, Vertices};
 use vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
@@ -89,6 +89,11 @@ struct Paths<'a> {
     seen: [Option<(EmitterId, u32, [Vec3; 2])>; LANES],
 }
 
+/// The vertex that is sampled at, if light is to be differentiated.
+fn last_step(steps: &mut Option<Vec<Step>>) -> Option<&mut Step> {
+    steps.as_mut()?.last_mut()
+}
+
 impl Paths<'_> {
     /// None yet.
     fn new(stream: Stream) -> Self {
@@ -121,15 +126,10 @@ impl Paths<'_> {
 
     /// Keeps the directions drawn there.
     fn keep_drawn(&mut self, is_drawn: u32) {
-        if let Some(step) = self.steps.as_mut().and_then(|steps| steps.last_mut()) {
+        if let Some(step) = last_step(&mut self.steps) {
             let (scattered, events) = (&self.vertices.scattered, self.lobes.events());
             step.set_drawn(is_drawn, &self.drawn, scattered, self.faces, events);
         }
-    }
-
-    /// The vertex that is sampled at, if light is to be differentiated.
-    fn step(&mut self) -> Option<&mut Step> {
-        self.steps.as_mut()?.last_mut()
     }
 
     /// Counts a ray of some lanes.
@@ -161,15 +161,13 @@ impl<'a> LaneTracer<'a> {
             bsdf_samples,
             ..
         } = plan.sampling;
-        let bends = |shape: &Shape| {
-            let mut slots = scene.slots_below(shape.bsdf).into_iter();
-            slots.any(|slot| {
-                slot.quantity.moves_rays() && is_asked_for(scene.numbers_of(slot.texture, shape))
-            })
+        let moves_rays = |shape: &Shape| {
+            let mut slots = asked_slots(scene, shape, is_asked_for);
+            slots.any(|slot| slot.quantity.moves_rays())
         };
         let is_plain = plan.aov.is_none()
             && emitter_samples.max(bsdf_samples) <= 1
-            && !scene.shapes.iter().any(|shape| bends(shape));
+            && !scene.shapes.iter().any(|shape| moves_rays(shape));
         is_plain.then(|| Self {
             least_survival: RR_MIN,
             ..Self::new(plan, prepared, is_asked_for)
@@ -458,7 +456,7 @@ impl<'a> LaneTracer<'a> {
             radiance: &lit.radiance,
             lanes: seen,
         });
-        if let Some(step) = paths.steps.as_mut().and_then(|steps| steps.last_mut()) {
+        if let Some(step) = last_step(&mut paths.steps) {
             step.set_lit(seen, lit, &vertices.scattered);
         }
         paths.count_rays(wanted);
@@ -536,7 +534,7 @@ impl<'a> LaneTracer<'a> {
             }
         };
         let radiance = (self.lights).radiance(emitter, hit.as_ref(), position, direction);
-        if let Some(step) = paths.step() {
+        if let Some(step) = last_step(&mut paths.steps) {
             step.set_met(lane, emitter, radiance, weight);
         }
         let factor = paths.throughput.colour(lane) * paths.vertices.scattered.colour(lane);
@@ -564,7 +562,7 @@ impl<'a> LaneTracer<'a> {
                 if numbers[lane] >= survival {
                     continue;
                 }
-                if let Some(step) = paths.step() {
+                if let Some(step) = last_step(&mut paths.steps) {
                     step.set_survival(lane, survival);
                 }
                 paths

@@ -5,7 +5,9 @@ use capwalk_geometry::Hit;
 use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::{Diffuse, Lobe, Side};
 use capwalk_scene::resolve::Constants;
-use capwalk_scene::{Bsdf, BsdfId, EmitterId, Scene, Shape, ShapeId, SurfacePoint, TextureId};
+use capwalk_scene::{
+    Bsdf, BsdfId, EmitterId, Scene, Shape, ShapeId, Slot, SurfacePoint, TextureId,
+};
 
 use crate::lanes::lobes::{LaneLobes, Lobes};
 use crate::lanes::step::Vertices;
@@ -53,17 +55,22 @@ enum Scattering {
 impl<'a> LaneScene<'a> {
     /// The shapes of a scene, to be differentiated with respect to some numbers.
     pub fn new(accel: &'a Accel, is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync)) -> Self {
-        let shape = |(i, shape): (usize, &std::sync::Arc<Shape>)| ShapeOfLanes {
-            sides: match is_asked(&accel.scene, shape, is_asked_for) {
-                true => textured(&accel.scene, shape.bsdf).unwrap_or_else(differing),
-                false => sides(accel, shape, accel.needs_tangent[i]),
-            },
-            is_asked_for: is_asked(&accel.scene, shape, is_asked_for),
-            has_normals: shape.normals.per_vertex().is_some(),
-            turns: accel.needs_tangent[i],
-            emitter: shape.emitter,
-            first_face: accel.first_face[i],
-            first_vertex: accel.first_vertex[i],
+        let shape = |(i, shape): (usize, &std::sync::Arc<Shape>)| {
+            let is_asked = asked_slots(&accel.scene, shape, is_asked_for)
+                .next()
+                .is_some();
+            ShapeOfLanes {
+                sides: match is_asked {
+                    true => textured(&accel.scene, shape.bsdf).unwrap_or_else(differing),
+                    false => sides(accel, shape, accel.needs_tangent[i]),
+                },
+                is_asked_for: is_asked,
+                has_normals: shape.normals.per_vertex().is_some(),
+                turns: accel.needs_tangent[i],
+                emitter: shape.emitter,
+                first_face: accel.first_face[i],
+                first_vertex: accel.first_vertex[i],
+            }
         };
         Self {
             accel,
@@ -127,15 +134,10 @@ impl<'a> LaneScene<'a> {
         vertices: &mut Vertices,
         lobes: &mut LaneLobes<'s>,
     ) -> bool {
-        let (_, shape) = self.shape_of(face);
-        let (outward, out) = match shape.has_normals {
-            false => (vertices.face_normal.get(lane), 1.0),
-            true => self.normal(face, lane, vertices),
-        };
-        let place = usize::from(vertices.seen[lane] * out <= 0.0);
+        let (outward, place) = self.seen(face, lane, vertices);
         vertices.outward.set(lane, outward);
         lobes.clear(lane);
-        let (side, albedo) = match &shape.sides[place] {
+        let (side, albedo) = match &self.shape_of(face).1.sides[place] {
             Scattering::Nothing => return false,
             // What is diffuse from behind is the front of the back of a two-sided material.
             Scattering::Diffuse(albedo) => ([1.0, -1.0][place], *albedo),
@@ -174,12 +176,8 @@ impl<'a> LaneScene<'a> {
         lane: usize,
         vertices: &Vertices,
     ) -> Option<(TextureId, SurfacePoint<f64>)> {
-        let (_, shape) = self.shape_of(face);
-        let out = match shape.has_normals {
-            false => 1.0,
-            true => self.normal(face, lane, vertices).1,
-        };
-        match shape.sides[usize::from(vertices.seen[lane] * out <= 0.0)] {
+        let (_, place) = self.seen(face, lane, vertices);
+        match self.shape_of(face).1.sides[place] {
             Scattering::Textured(id) => Some((id, self.point(face, lane, vertices))),
             _ => None,
         }
@@ -194,6 +192,16 @@ impl<'a> LaneScene<'a> {
             face,
             barycentric: [wb, wc],
         }
+    }
+
+    /// The shading normal on the outside, and which of the shape's sides a path hits.
+    #[inline]
+    fn seen(&self, face: u32, lane: usize, vertices: &Vertices) -> (Vec3, usize) {
+        let (outward, out) = match self.shape_of(face).1.has_normals {
+            false => (vertices.face_normal.get(lane), 1.0),
+            true => self.normal(face, lane, vertices),
+        };
+        (outward, usize::from(vertices.seen[lane] * out <= 0.0))
     }
 
     /// The interpolated normal, and 1 or -1 for whether the face's own points out.
@@ -274,13 +282,14 @@ impl<'a> LaneScene<'a> {
     }
 }
 
-/// True if numbers of a shape's material are asked for.
-fn is_asked(scene: &Scene, shape: &Shape, is_asked_for: &dyn Fn(TextureId) -> bool) -> bool {
-    let slots = scene.slots_below(shape.bsdf);
-    let mut numbers = slots
-        .iter()
-        .map(|slot| scene.numbers_of(slot.texture, shape));
-    numbers.any(is_asked_for)
+/// The places in a shape's material of textures whose numbers are asked for.
+pub fn asked_slots(
+    scene: &Scene,
+    shape: &Shape,
+    is_asked_for: &dyn Fn(TextureId) -> bool,
+) -> impl Iterator<Item = Slot> {
+    let slots = scene.slots_below(shape.bsdf).into_iter();
+    slots.filter(|slot| is_asked_for(scene.numbers_of(slot.texture, shape)))
 }
 
 fn differing() -> [Scattering; 2] {
