@@ -11,8 +11,8 @@ use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream}
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
 use capwalk_render::{
-    Grid, LaneTracer, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PreparedScene,
-    RenderOptions, Tracer, Watch, adaptive,
+    Grid, LaneTracer, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PathAdjoint,
+    PreparedScene, RenderOptions, SceneEval, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -327,11 +327,30 @@ fn take_together(
     let mut efforts = vec![0; places.len()];
     lanes.differentiate(places, &covectors, &mut samples, |sample, on_path| {
         efforts[sample] += EFFORT_OF_ADJOINT;
-        // Channels of light depend on the same channels alone.
-        let results = tracer.depends_on(eval, &on_path);
-        for (result, covector) in results {
-            derivatives[sample] += result.tangent(0) * covector;
-        }
+        let velocity = |texture, index| eval.texel(texture, index).tangent(0);
+        derivatives[sample] += match on_path {
+            PathAdjoint::Texel {
+                texture,
+                index,
+                covector,
+            } => velocity(texture, index) * covector,
+            PathAdjoint::MixedTexel {
+                texture,
+                index,
+                covectors: [on_r, on_g, on_b],
+            } => {
+                let Rgb { r, g, b } = velocity(texture, index);
+                on_r * r + on_g * g + on_b * b
+            }
+            PathAdjoint::Irradiance {
+                emitter,
+                position,
+                covector,
+            } => {
+                let irradiance = tracer.irradiance(eval, emitter, position);
+                irradiance.map_or(Rgb::zero(), |light| light.tangent(0) * covector)
+            }
+        };
     });
     let derivatives = derivatives.into_iter().zip(efforts);
     taken.extend(

@@ -694,25 +694,36 @@ impl Pass<'_> {
         adjoints: &mut Adjoints,
         covectors: &mut Vec<(Target, Vec3)>,
     ) {
-        // It needs no tape: values of textures are sums of texels.
-        if let PathAdjoint::Reflectance {
-            texture,
-            point,
-            covector,
-        } = &on_path
-        {
-            let covector = Vec3::from(covector.to_array());
-            let texel = |id: TextureId, index, weight| {
-                if self.wanted.textures[id.0 as usize] {
-                    covectors.push((Target::Texel(id, index), covector * weight));
+        match on_path {
+            PathAdjoint::Texel {
+                texture,
+                index,
+                covector,
+            } => {
+                let covector = Vec3::from(covector.to_array());
+                covectors.push((Target::Texel(texture, index), covector));
+            }
+            PathAdjoint::MixedTexel {
+                texture,
+                index,
+                covectors: on_light,
+            } => {
+                let on_channels = on_light.map(|Rgb { r, g, b }| r + g + b);
+                covectors.push((Target::Texel(texture, index), Vec3::from(on_channels)));
+            }
+            PathAdjoint::Irradiance {
+                emitter,
+                position,
+                covector,
+            } => {
+                let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
+                let irradiance = self.tracer.irradiance(&eval, emitter, position);
+                if let Some(irradiance) = irradiance {
+                    eval.pull_back(&[(irradiance, covector)], adjoints, covectors);
                 }
-            };
-            return self.scene.texel_weights(*texture, point, texel);
+                tape.clear();
+            }
         }
-        let eval = Reverse::new(self.field, self.wanted, &self.points, tape);
-        let results = self.tracer.depends_on(&eval, &on_path);
-        eval.pull_back(&results, adjoints, covectors);
-        tape.clear();
     }
 
     /// Adds one sample of one pixel.

@@ -42,7 +42,7 @@ pub fn emitter_record(
         DirectionSampler::Environment(table),
     ) = (emitter, &sampler.directions)
     {
-        let (texels, table) = ([*data, *scale], table.as_ref());
+        let texels = [*data, *scale];
         let map = add_environment_map(scene, map, texels, table, textures, words);
         return surroundings(ENVIRONMENT_MAP, map);
     }

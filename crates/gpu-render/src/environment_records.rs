@@ -7,24 +7,27 @@ use capwalk_scene::{Scene, TextureId};
 use crate::layout::environment_map::*;
 use crate::texture_records::{TextureRecords, float, two_floats};
 
-/// Appends the record of a map with these texels and the factor on them, and its table if it is not
+/// Appends the record of a map with these texels and the factor on them, and its table unless it is
 /// black. Returns where the record starts.
 pub fn add_environment_map(
     scene: &Scene,
     map: &EnvironmentMap,
     [data, scale]: [TextureId; 2],
-    table: Option<&EnvironmentTable>,
+    table: &EnvironmentTable,
     textures: &mut TextureRecords,
     words: &mut Vec<u32>,
 ) -> u32 {
     let texels = [data, scale].map(|id| textures.add(scene, id, None, words));
-    let table = table.map_or([NONE; 3], |table| {
-        let rows = add_sums(table.row_sums(), words);
-        let cells = add_sums(table.cell_sums(), words);
-        let densities = words.len() as u32;
-        words.extend(table.densities().iter().copied().map(float));
-        [rows, cells, densities]
-    });
+    let table = match table.is_black() {
+        true => [NONE; 3],
+        false => {
+            let rows = add_sums(table.row_sums(), words);
+            let cells = add_sums(table.cell_sums(), words);
+            let densities = words.len() as u32;
+            words.extend(table.densities().iter().copied().map(float));
+            [rows, cells, densities]
+        }
+    };
     let mut map_words = [0; ENVIRONMENT_RECORD];
     map_words[MAP_WIDTH] = map.width;
     map_words[MAP_HEIGHT] = map.height;

@@ -102,7 +102,7 @@ slang_constants! {
 
     /// Words of an environment map: texels per row and rows; the rows of the rotation from the map's directions to the world's;
     /// the records of the textures of its texels and of a factor on them; where the table is (`NONE` if the map is black): the sums
-    /// of the cells' chances up to each row, then within each row, and the density of each cell per solid angle.
+    /// of the cells' chances up to each row, then within each row, and the density per solid angle at each texel.
     environment_map {
         MAP_WIDTH = 0, MAP_HEIGHT = 1, WORLD_FROM_MAP = 2, MAP_TEXELS = 11, MAP_SCALE = 12,
         ROW_SUMS = 13, CELL_SUMS = 14, DENSITIES = 15, ENVIRONMENT_RECORD = 16,

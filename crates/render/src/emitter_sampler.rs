@@ -6,6 +6,7 @@ use capwalk_boundary::Accel;
 use capwalk_scene::emitter::EnvironmentTable;
 use capwalk_scene::{Emitter, EmitterId, Pattern, Scene, Texture};
 
+use crate::plan::Plan;
 use crate::receiver::Receiver;
 use crate::triangle_sampler::TriangleSampler;
 
@@ -25,8 +26,8 @@ pub enum DirectionSampler {
     Area(TriangleSampler),
     /// By the cosine at the surface, or uniformly: light from everywhere.
     Constant,
-    /// By the brightness of an environment map, unless it is black.
-    Environment(Option<EnvironmentTable>),
+    /// By the brightness of an environment map.
+    Environment(EnvironmentTable),
     /// Not at all: there is only one.
     Delta,
 }
@@ -40,7 +41,9 @@ impl EmitterSampler {
             }
             Emitter::Constant { .. } => DirectionSampler::Constant,
             Emitter::EnvironmentMap { map, data, .. } => {
-                DirectionSampler::Environment(EnvironmentTable::new(map, scene.texture(*data)))
+                let surfaces_draw = Plan::new(scene).sampling.bsdf_samples > 0;
+                let texels = scene.texture(*data);
+                DirectionSampler::Environment(EnvironmentTable::new(map, texels, surfaces_draw))
             }
             Emitter::Point { .. }
             | Emitter::Spot { .. }

@@ -22,6 +22,7 @@ mod lit;
 mod lobes;
 mod rays;
 mod rough;
+mod scattered;
 mod scene;
 mod step;
 #[cfg(test)]
@@ -30,7 +31,7 @@ mod vectors;
 
 use capwalk_boundary::{Accel, Stream, Streams};
 use capwalk_geometry::simd::Instructions;
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::Rgb;
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{EmitterId, Shape, TextureId};
 
@@ -44,7 +45,7 @@ use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
 use kept::Step;
 use lights::{LaneChoices, LaneLights};
-use lit::Lit;
+use lit::{Lit, Seen};
 use lobes::LaneLobes;
 use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING, asked_slots};
@@ -83,10 +84,9 @@ struct Paths<'a> {
     faces: [u32; LANES],
     /// How many rays each has taken.
     rays: [u64; LANES],
-    /// Their vertices, if light is to be differentiated, and what the camera sees of emitters, on a
-    /// face and along a ray.
+    /// Their vertices, if light is to be differentiated, and what the camera sees of emitters.
     steps: Option<Vec<Step>>,
-    seen: [Option<(EmitterId, u32, [Vec3; 2])>; LANES],
+    seen: [Option<(EmitterId, Seen)>; LANES],
 }
 
 /// The vertex that is sampled at, if light is to be differentiated.
@@ -128,7 +128,7 @@ impl Paths<'_> {
     fn keep_drawn(&mut self, is_drawn: u32) {
         if let Some(step) = last_step(&mut self.steps) {
             let (scattered, events) = (&self.vertices.scattered, self.lobes.events());
-            step.set_drawn(is_drawn, &self.drawn, scattered, self.faces, events);
+            step.set_drawn(is_drawn, &self.drawn, scattered, events);
         }
     }
 
@@ -302,18 +302,13 @@ impl<'a> LaneTracer<'a> {
             );
             let face = paths.faces[lane];
             if let Some(emitter) = self.scene.emitter_towards(face, direction) {
-                let seen = self.emitted(emitter, face, [origin, direction]);
-                paths.light.set_colour(lane, seen);
-                paths.seen[lane] = Some((emitter, face, [origin, direction]));
+                let hit = self.scene.hit(face, origin, direction);
+                let seen = self.lights.seen_at(emitter, hit, direction);
+                let light = self.lights.radiance(emitter, &seen, origin, direction);
+                paths.light.set_colour(lane, light);
+                paths.seen[lane] = Some((emitter, seen));
             }
         }
-    }
-
-    /// What an emitter sends back along a ray, given by its origin and its direction, that hits a face.
-    fn emitted(&self, emitter: EmitterId, face: u32, [origin, direction]: [Vec3; 2]) -> Rgb {
-        let hit = self.scene.hit(face, origin, direction);
-        self.lights
-            .radiance(emitter, hit.as_ref(), origin, direction)
     }
 
     /// Adds what arrives by reflections.
@@ -520,22 +515,23 @@ impl<'a> LaneTracer<'a> {
         };
         let position = paths.vertices.position.get(lane);
         let hit = self.scene.hit(face, position, direction);
+        let seen = self.lights.seen_at(emitter, hit, direction);
         let samples = f64::from(self.plan.sampling.bsdf_samples);
         // Nothing else samples a specular direction.
         let weight = match paths.drawn.specular >> lane & 1 {
             1 => 1.0,
             _ => {
-                let receiver = paths.lobes.receiver(&paths.vertices, lane);
-                let hit = hit.as_ref();
+                let receiver = || paths.lobes.receiver(&paths.vertices, lane);
                 let own = samples * paths.drawn.pdf[lane];
+                let choices = &paths.choices;
                 let other =
-                    (self.lights).density(&paths.choices, lane, emitter, hit, direction, &receiver);
+                    (self.lights).density(choices, lane, emitter, &seen, direction, receiver);
                 power_heuristic(own, other)
             }
         };
-        let radiance = (self.lights).radiance(emitter, hit.as_ref(), position, direction);
+        let radiance = (self.lights).radiance(emitter, &seen, position, direction);
         if let Some(step) = last_step(&mut paths.steps) {
-            step.set_met(lane, emitter, radiance, weight);
+            step.set_met(lane, (emitter, seen), radiance, weight);
         }
         let factor = paths.throughput.colour(lane) * paths.vertices.scattered.colour(lane);
         let light = paths.light.colour(lane) + factor * radiance * (weight / samples);

@@ -69,7 +69,7 @@ pub use options::{RenderOptions, Silent, Unwatched, Watch};
 pub use ordered_sum::{Accumulate, CannotMerge, OrderedSum};
 pub use part_error::PartError;
 pub use partial::{Along, Partial};
-pub use path_adjoint::{Arriving, PathAdjoint};
+pub use path_adjoint::PathAdjoint;
 pub use pixel::Supports;
 pub use pixel_silhouette_term::{CameraEdge, TooManyImages};
 pub use plan::{FIRST_VERTEX, LightSampling, Plan};

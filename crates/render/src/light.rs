@@ -8,7 +8,7 @@ use capwalk_boundary::{Accel, Stream};
 use capwalk_geometry::Hit;
 use capwalk_math::Vec3;
 use capwalk_scene::EmitterId;
-use capwalk_scene::emitter::EnvironmentTable;
+use capwalk_scene::emitter::{EnvironmentTable, MapPlace};
 use capwalk_scene::lobe::{Specular, cosine_pdf, sample_cosine};
 
 use crate::emitter_choice::EmitterChoice;
@@ -219,7 +219,7 @@ pub fn emitter_pdf(
             let face = hit.face - accel.emitter_face(emitter, 0);
             triangles.pdf(receiver.position, face, direction, hit.t)
         }
-        (DirectionSampler::Environment(table), _) => map_pdf(table.as_ref(), direction),
+        (DirectionSampler::Environment(table), _) => map_pdf(table, &table.map().place(direction)),
         (DirectionSampler::Constant, _) => {
             environment_pdf(receiver, receiver.frame.to_local(direction))
         }
@@ -278,8 +278,8 @@ impl TowardsEmitter {
                 Some(far(receiver.frame.to_world(local), pdf))
             }
             DirectionSampler::Environment(table) => {
-                let direction = sample_map(table.as_ref(), u);
-                Some(far(direction, map_pdf(table.as_ref(), direction)))
+                let (direction, _, pdf) = sample_map(table, u);
+                Some(far(direction, pdf))
             }
             DirectionSampler::Delta => {
                 let light = accel.delta_light(emitter, position)?;
@@ -302,24 +302,27 @@ impl TowardsEmitter {
 /// texels have derivatives, too.
 pub const UNIFORM_SKY: f64 = 0.05;
 
-/// A direction to an environment map, in world space.
-fn sample_map(table: Option<&EnvironmentTable>, u: [f64; 2]) -> Vec3 {
-    match table {
-        Some(table) if u[0] >= UNIFORM_SKY => {
-            let rest = (u[0] - UNIFORM_SKY) / (1.0 - UNIFORM_SKY);
-            table.sample([rest, u[1]]).0
+/// A direction to an environment map, in world space, its place on the map, and its density per
+/// solid angle.
+pub fn sample_map(table: &EnvironmentTable, u: [f64; 2]) -> (Vec3, MapPlace<f64>, f64) {
+    let is_uniform = table.is_black() || u[0] < UNIFORM_SKY;
+    let (direction, place) = match is_uniform {
+        true => {
+            let share = if table.is_black() { 1.0 } else { UNIFORM_SKY };
+            let direction = uniform_direction([u[0] / share, u[1]]);
+            (direction, table.map().place(direction))
         }
-        Some(_) => uniform_direction([u[0] / UNIFORM_SKY, u[1]]),
-        None => uniform_direction(u),
-    }
+        false => table.sample([(u[0] - UNIFORM_SKY) / (1.0 - UNIFORM_SKY), u[1]]),
+    };
+    (direction, place, map_pdf(table, &place))
 }
 
-/// Density per solid angle of [`sample_map`].
-fn map_pdf(table: Option<&EnvironmentTable>, direction: Vec3) -> f64 {
+/// Density per solid angle of [`sample_map`] at a place.
+pub fn map_pdf(table: &EnvironmentTable, place: &MapPlace<f64>) -> f64 {
     let uniform = 0.25 * FRAC_1_PI;
-    match table {
-        Some(table) => UNIFORM_SKY * uniform + (1.0 - UNIFORM_SKY) * table.pdf(direction),
-        None => uniform,
+    match table.is_black() {
+        true => uniform,
+        false => UNIFORM_SKY * uniform + (1.0 - UNIFORM_SKY) * table.pdf(place),
     }
 }
 

@@ -30,7 +30,6 @@ use capwalk_scene::{Emitter, EmitterId};
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
 use crate::light::{Continuation, emitter_towards, sample_lights};
-use crate::path_adjoint::PathAdjoint;
 use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::{SceneEval, Warped};
 use crate::shading::{add_lobes, black_vertex_at};
@@ -254,52 +253,19 @@ impl Tracer<'_> {
         light
     }
 
-    /// What the light of a sample depends on, twice at most, with the covectors on it.
-    pub fn depends_on<R: Real, W: SceneEval<R>>(
+    /// What a point that stays receives from an emitter without extent; `None` from another one.
+    pub fn irradiance<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        adjoint: &PathAdjoint,
-    ) -> [(Rgb<R>, Rgb); 2] {
-        let nothing = (Rgb::zero(), Rgb::zero());
-        match adjoint {
-            PathAdjoint::Emitted {
-                emitter,
-                hit,
-                ray,
-                covector,
-            } => {
-                let [origin, direction] = ray.map(Vec3::constant);
-                let emitted = match self.delta_light(eval, *emitter, origin) {
-                    Some(light) => irradiance_of(eval, self.accel.scene.emitter(*emitter), &light),
-                    None => emitted_at(eval, self.accel, *emitter, hit.as_ref(), origin, direction),
-                };
-                [(emitted, *covector), nothing]
-            }
-            PathAdjoint::Reflectance {
-                texture,
-                point,
-                covector,
-            } => {
-                let reflectance = eval.lookup(*texture, &point.constant());
-                [(reflectance, *covector), nothing]
-            }
-            PathAdjoint::Scattered { hit, ray, arrives } => {
-                let [origin, direction] = ray.map(Vec3::constant);
-                let surface = surface_at(eval, self.accel, hit, origin, direction);
-                let mut vertex = black_vertex_at(&surface, direction);
-                add_lobes(eval, self.accel, &surface, &mut vertex);
-                arrives.map(|light| {
-                    let Some(light) = light else {
-                        return nothing;
-                    };
-                    let scattered = match light.specular {
-                        Some(event) => vertex.specular(event, [origin, direction]).1,
-                        None => vertex.eval(Vec3::constant(light.direction)),
-                    };
-                    (scattered, light.covector)
-                })
-            }
-        }
+        emitter: EmitterId,
+        position: Vec3,
+    ) -> Option<Rgb<R>> {
+        let light = self.delta_light(eval, emitter, Vec3::constant(position))?;
+        Some(irradiance_of(
+            eval,
+            self.accel.scene.emitter(emitter),
+            &light,
+        ))
     }
 
     /// The light of an emitter without extent that reaches a point.

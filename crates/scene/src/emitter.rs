@@ -3,7 +3,7 @@
 pub mod delta;
 mod environment;
 
-pub use environment::{EnvironmentMap, EnvironmentTable};
+pub use environment::{EnvironmentMap, EnvironmentTable, MapPlace};
 
 use capwalk_geometry::Apex;
 use capwalk_math::{Affine, Vec3};

@@ -32,9 +32,6 @@ impl SurfacePoint<f64> {
     }
 }
 
-/// The most texels that a value is made of: those around a point of a bitmap.
-const MOST_TEXELS: usize = 4;
-
 impl Scene {
     /// The texture whose numbers another one shows on a shape: itself, or the
     /// shape's attribute that it looks up.
@@ -58,27 +55,43 @@ impl Scene {
     }
 
     /// The texels of which the value of a texture at a point is a weighted sum, by the texture that
-    /// has them, with their weights.
+    /// has them, with their weights: what [`Scene::lookup`] adds up.
     pub fn texel_weights(
         &self,
         id: TextureId,
         at: &SurfacePoint<f64>,
         mut found: impl FnMut(TextureId, usize, f64),
     ) {
-        let mut texels = [(id, 0); MOST_TEXELS];
-        let mut count = 0;
-        self.lookup(id, at, |id, index| {
-            texels[count] = (id, index);
-            count += 1;
-            Rgb::zero()
-        });
-        // The value is linear in each: it is the weight if one is 1 and the others are 0.
-        for (i, &(numbers, index)) in texels[..count].iter().enumerate() {
-            let mut asked = 0..;
-            let only = |_, _| Rgb::splat(f64::from(u8::from(asked.next() == Some(i))));
-            let weight = self.lookup(id, at, only).r;
-            if weight != 0.0 {
-                found(numbers, index, weight);
+        // An attribute is looked up by its name.
+        let (id, scale) = match &self.texture(id).pattern {
+            Pattern::MeshAttribute { scale, .. } => {
+                (self.numbers_of(id, self.shape(at.shape)), *scale)
+            }
+            _ => (id, 1.0),
+        };
+        let texture = self.texture(id);
+        match &texture.pattern {
+            Pattern::PerVertex => {
+                let corners = self.shape(at.shape).mesh.faces[at.face];
+                for (vertex, weight) in corners.into_iter().zip(at.barycentric) {
+                    found(id, vertex as usize, weight * scale);
+                }
+            }
+            Pattern::PerFace => found(id, at.face, scale),
+            Pattern::Bitmap(bitmap) => bitmap
+                .weights(at.uv)
+                .into_iter()
+                .filter(|(_, weight)| *weight != 0.0)
+                .for_each(|(index, weight)| found(id, index, weight)),
+            Pattern::Constant
+            | Pattern::Checkerboard { .. }
+            | Pattern::MeshAttribute { .. }
+            | Pattern::Environment => {
+                // One of them.
+                texture.lookup(at.uv, |index| {
+                    found(id, index, 1.0);
+                    Rgb::<f64>::zero()
+                });
             }
         }
     }

@@ -7,13 +7,13 @@
 //! `A T L`. What arrives by the direction in which the path goes on is known when the vertices behind
 //! are: they are visited last first. Densities, weights and roulette are detached.
 
-use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::EmitterId;
+use capwalk_math::Rgb;
 
 use crate::lanes::kept::Step;
+use crate::lanes::scattered::{Arriving, Place};
 use crate::lanes::vectors::LANES;
 use crate::lanes::{LaneTracer, Paths};
-use crate::path_adjoint::{Arriving, PathAdjoint};
+use crate::path_adjoint::PathAdjoint;
 use crate::tiles::{Sample, SamplePlace};
 
 impl LaneTracer<'_> {
@@ -57,8 +57,9 @@ impl LaneTracer<'_> {
             behind = self.pull_step(step, lane, covector, behind, depends);
         }
         // What the camera sees of emitters.
-        if let Some((emitter, face, ray)) = paths.seen[lane] {
-            self.pull_emitted(emitter, face, ray, covector, depends);
+        if let Some((emitter, seen)) = &paths.seen[lane] {
+            self.lights
+                .pull(*emitter, seen, None, covector, &self.scene, depends);
         }
     }
 
@@ -88,14 +89,16 @@ impl LaneTracer<'_> {
             });
             let emitter = lit.emitters[lane];
             if self.lights.is_asked_for(emitter) {
-                let ray = [position, direction];
-                let hit = self.lights.hit(vertices, lit, lane);
-                depends(PathAdjoint::Emitted {
+                let seen = self.lights.seen(vertices, lit, lane);
+                let covector = on_light * scattered;
+                self.lights.pull(
                     emitter,
-                    hit,
-                    ray,
-                    covector: on_light * scattered,
-                });
+                    &seen,
+                    Some(position),
+                    covector,
+                    &self.scene,
+                    depends,
+                );
             }
         }
         // Light by the direction in which the path goes on.
@@ -103,12 +106,12 @@ impl LaneTracer<'_> {
             let direction = step.drawn.direction.get(lane);
             let factor = vertices.scattered.colour(lane);
             let mut arriving = behind * (1.0 / step.survival[lane]);
-            if let Some(emitter) = step.met[lane] {
+            if let Some((emitter, seen)) = &step.met[lane] {
                 let weight = step.met_weight[lane];
                 arriving += step.met_radiance.colour(lane) * weight;
-                let (ray, face) = ([position, direction], step.met_faces[lane]);
                 let covector = on_light * factor * weight;
-                self.pull_emitted(emitter, face, ray, covector, depends);
+                self.lights
+                    .pull(*emitter, seen, None, covector, &self.scene, depends);
             }
             sent += factor * arriving;
             arrives[1] = Some(Arriving {
@@ -119,39 +122,13 @@ impl LaneTracer<'_> {
         }
         let face = step.faces[lane];
         if self.scene.is_asked_for(face) {
-            let covectors = arrives.iter().flatten().map(|light| light.covector);
-            let sum = covectors.fold(Rgb::zero(), |sum, covector| sum + covector);
-            depends(match self.scene.reflectance(face, lane, vertices) {
-                Some((texture, point)) => PathAdjoint::Reflectance {
-                    texture,
-                    point,
-                    covector: sum,
-                },
-                None => PathAdjoint::Scattered {
-                    hit: self.scene.hit_of(face, lane, vertices),
-                    ray: [vertices.origin.get(lane), vertices.direction.get(lane)],
-                    arrives,
-                },
-            });
+            let at = Place {
+                face,
+                lane,
+                vertices,
+            };
+            self.scene.pull(at, &arrives, depends);
         }
         sent
-    }
-
-    fn pull_emitted(
-        &self,
-        emitter: EmitterId,
-        face: u32,
-        ray: [Vec3; 2],
-        covector: Rgb,
-        depends: &mut impl FnMut(PathAdjoint),
-    ) {
-        if self.lights.is_asked_for(emitter) {
-            depends(PathAdjoint::Emitted {
-                emitter,
-                hit: self.scene.hit(face, ray[0], ray[1]),
-                ray,
-                covector,
-            });
-        }
     }
 }

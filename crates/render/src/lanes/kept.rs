@@ -4,7 +4,7 @@ use capwalk_math::Rgb;
 use capwalk_scene::EmitterId;
 use capwalk_scene::lobe::Specular;
 
-use crate::lanes::lit::Lit;
+use crate::lanes::lit::{Lit, Seen};
 use crate::lanes::step::{Brdf, Vertices};
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 
@@ -26,9 +26,8 @@ pub struct Step {
     /// One bit for each that an emitter lights, and what is scattered of that.
     pub is_lit: u32,
     pub lit_scattered: Vectors,
-    /// What the drawn directions lead to.
-    pub met_faces: [u32; LANES],
-    pub met: [Option<EmitterId>; LANES],
+    /// What emits that the drawn directions lead to.
+    pub met: [Option<(EmitterId, Seen)>; LANES],
     pub met_radiance: Vectors,
     pub met_weight: Numbers,
     pub survival: Numbers,
@@ -55,7 +54,6 @@ impl Step {
             lit: Lit::default(),
             is_lit: 0,
             lit_scattered: Vectors::ZERO,
-            met_faces: faces,
             met: [None; LANES],
             met_radiance: Vectors::ZERO,
             met_weight: [0.0; LANES],
@@ -71,25 +69,23 @@ impl Step {
     }
 
     /// What a drawn direction meets that emits.
-    pub fn set_met(&mut self, lane: usize, emitter: EmitterId, radiance: Rgb, weight: f64) {
-        self.met[lane] = Some(emitter);
+    pub fn set_met(&mut self, lane: usize, met: (EmitterId, Seen), radiance: Rgb, weight: f64) {
+        self.met[lane] = Some(met);
         self.met_radiance.set_colour(lane, radiance);
         self.met_weight[lane] = weight;
     }
 
-    /// Directions that were drawn, and what they meet.
+    /// Directions that were drawn.
     pub fn set_drawn(
         &mut self,
         is_drawn: u32,
         drawn: &Brdf,
         scattered: &Vectors,
-        faces: [u32; LANES],
         events: [Option<(Specular, f64)>; LANES],
     ) {
         self.is_drawn = is_drawn;
         self.drawn = *drawn;
         self.vertices.scattered = *scattered;
-        self.met_faces = faces;
         self.events = events;
     }
 

@@ -5,15 +5,18 @@ use capwalk_boundary::{Accel, Streams};
 use capwalk_geometry::Hit;
 use capwalk_geometry::simd::{Computation, Instructions, Simd};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
+use capwalk_scene::emitter::{EnvironmentTable, MapPlace};
+use capwalk_scene::{Emitter, EmitterId, Scene, Texture, TextureId};
 
 use crate::emitter_choice::EmitterChoice;
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
-use crate::lanes::lit::Lit;
+use crate::lanes::lit::{Lit, Seen};
 use crate::lanes::lobes::LaneLobes;
+use crate::lanes::scene::LaneScene;
 use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
-use crate::light::{TowardsEmitter, emitter_pdf};
+use crate::light::{TowardsEmitter, emitter_pdf, map_pdf, sample_map};
+use crate::path_adjoint::PathAdjoint;
 use crate::plan::LightSampling;
 use crate::prepared::PreparedScene;
 use crate::receiver::Receiver;
@@ -38,10 +41,25 @@ pub struct LaneLights<'a> {
 struct Kind<'a> {
     /// If it is one.
     rectangle: Option<&'a RectangleSampler>,
+    sky: Option<Sky<'a>>,
     /// What it emits, if that is the same everywhere.
     radiance: Option<Rgb>,
     /// True if it has no extent.
     is_delta: bool,
+}
+
+/// An environment map.
+struct Sky<'a> {
+    table: &'a EnvironmentTable,
+    texels: &'a Texture,
+    scale: Rgb,
+}
+
+impl Sky<'_> {
+    fn radiance(&self, place: &MapPlace<f64>) -> Rgb {
+        let texel = |index| self.texels.texel(index);
+        self.table.map().at(place, texel) * self.scale
+    }
 }
 
 /// Which emitters surfaces choose.
@@ -72,9 +90,19 @@ impl<'a> LaneLights<'a> {
         let kind = |(emitter, sampler): (&Emitter, &'a EmitterSampler)| {
             let texture = accel.scene.texture(emitter.radiance());
             let is_delta = matches!(sampler.directions, DirectionSampler::Delta);
-            let is_map = matches!(sampler.directions, DirectionSampler::Environment(_));
-            let is_same = texture.is_constant() && !is_delta && !is_map;
+            let sky = match (emitter, &sampler.directions) {
+                (Emitter::EnvironmentMap { scale, .. }, DirectionSampler::Environment(table)) => {
+                    Some(Sky {
+                        table,
+                        texels: texture,
+                        scale: accel.scene.texture(*scale).texel(0),
+                    })
+                }
+                _ => None,
+            };
+            let is_same = texture.is_constant() && !is_delta && sky.is_none();
             Kind {
+                sky,
                 rectangle: match &sampler.directions {
                     DirectionSampler::Area(triangles) => triangles.rectangle(),
                     _ => None,
@@ -164,19 +192,25 @@ impl<'a> LaneLights<'a> {
             let kind = &self.kinds[chosen];
             lit.emitters[lane] = EmitterId(chosen as u32);
             let times = f64::from(self.sampling.emitter_samples) * probability;
-            match kind.rectangle {
-                Some(rectangle) => {
-                    choices.rectangles.set(lane, &rectangle.rectangle);
-                    rectangles |= 1 << lane;
-                    // Times the solid angle, which is not known yet.
-                    lit.inverse_density[lane] = 1.0 / times;
-                }
-                None => {
-                    let u = [1, 2].map(|i| streams.number(lane, first + i));
-                    let receiver = lobes.receiver(vertices, lane);
-                    self.draw_one(chosen, &receiver, u, times, lane, lit);
-                }
+            if let Some(rectangle) = kind.rectangle {
+                choices.rectangles.set(lane, &rectangle.rectangle);
+                rectangles |= 1 << lane;
+                // Times the solid angle, which is not known yet.
+                lit.inverse_density[lane] = 1.0 / times;
+                continue;
             }
+            let u = [1, 2].map(|i| streams.number(lane, first + i));
+            if let Some(sky) = &kind.sky {
+                let (direction, place, pdf) = sample_map(sky.table, u);
+                lit.direction.set(lane, direction);
+                lit.range[1][lane] = f64::INFINITY;
+                lit.inverse_density[lane] = 1.0 / (times * pdf);
+                lit.places[lane] = Some(place);
+                lit.mask |= 1 << lane;
+                continue;
+            }
+            let receiver = lobes.receiver(vertices, lane);
+            self.draw_one(chosen, &receiver, u, times, lane, lit);
         }
         if rectangles != 0 {
             instructions.run(SampleRectangles {
@@ -190,7 +224,7 @@ impl<'a> LaneLights<'a> {
         }
     }
 
-    /// Draws a direction towards an emitter that is no rectangle.
+    /// Draws a direction towards an emitter that is neither a rectangle nor an environment map.
     fn draw_one(
         &self,
         chosen: usize,
@@ -230,45 +264,57 @@ impl<'a> LaneLights<'a> {
                     })
                 }
                 None => {
-                    let hit = self.hit(vertices, lit, lane);
-                    self.radiance(emitter, hit.as_ref(), position, direction)
+                    let seen = self.seen(vertices, lit, lane);
+                    self.radiance(emitter, &seen, position, direction)
                 }
             };
             lit.radiance.set_colour(lane, radiance);
         }
     }
 
-    /// The point of an emitter towards which a direction was drawn, if it is on a surface.
-    pub fn hit(&self, vertices: &Vertices, lit: &Lit, lane: usize) -> Option<Hit> {
+    /// What of an emitter is seen in the direction that was drawn towards it.
+    pub fn seen(&self, vertices: &Vertices, lit: &Lit, lane: usize) -> Seen {
         let emitter = lit.emitters[lane];
-        let Some(rectangle) = self.kinds[emitter.0 as usize].rectangle else {
-            return lit.hits[lane];
+        let kind = &self.kinds[emitter.0 as usize];
+        if kind.sky.is_some() {
+            return Seen {
+                hit: None,
+                place: lit.places[lane],
+            };
+        }
+        let Some(rectangle) = kind.rectangle else {
+            return Seen::on(lit.hits[lane]);
         };
         let t = lit.range[1][lane];
         let point = vertices.position.get(lane) + lit.direction.get(lane) * t;
         let (face, barycentric) = rectangle.place_of(point);
-        Some(Hit {
+        Seen::on(Some(Hit {
             t,
             face: self.accel.emitter_face(emitter, face),
             barycentric,
-        })
+        }))
+    }
+
+    /// What of an emitter is seen along a ray that hits it there, or misses everything.
+    pub fn seen_at(&self, emitter: EmitterId, hit: Option<Hit>, direction: Vec3) -> Seen {
+        let sky = self.kinds[emitter.0 as usize].sky.as_ref();
+        Seen {
+            hit,
+            place: sky.map(|sky| sky.table.map().place(direction)),
+        }
     }
 
     /// What an emitter sends back along a ray that hits it, or misses everything.
-    pub fn radiance(
-        &self,
-        emitter: EmitterId,
-        hit: Option<&Hit>,
-        origin: Vec3,
-        direction: Vec3,
-    ) -> Rgb {
-        match self.kinds[emitter.0 as usize].radiance {
-            Some(radiance) => radiance,
-            None => emitted_at(
+    pub fn radiance(&self, emitter: EmitterId, seen: &Seen, origin: Vec3, direction: Vec3) -> Rgb {
+        let kind = &self.kinds[emitter.0 as usize];
+        match (kind.radiance, &kind.sky, &seen.place) {
+            (Some(radiance), ..) => radiance,
+            (None, Some(sky), Some(place)) => sky.radiance(place),
+            _ => emitted_at(
                 &Primal(self.accel),
                 self.accel,
                 emitter,
-                hit,
+                seen.hit.as_ref(),
                 origin,
                 direction,
             ),
@@ -282,14 +328,68 @@ impl<'a> LaneLights<'a> {
         choices: &LaneChoices,
         lane: usize,
         emitter: EmitterId,
-        hit: Option<&Hit>,
+        seen: &Seen,
         direction: Vec3,
-        receiver: &Receiver,
+        receiver: impl FnOnce() -> Receiver,
     ) -> f64 {
-        let sampler = &self.samplers[emitter.0 as usize].directions;
-        let probability = choices.choices[lane].probability(emitter.0 as usize);
-        let pdf = emitter_pdf(self.accel, emitter, sampler, hit, direction, receiver);
+        let index = emitter.0 as usize;
+        let probability = choices.choices[lane].probability(index);
+        let pdf = match (&self.kinds[index].sky, &seen.place) {
+            (Some(sky), Some(place)) => map_pdf(sky.table, place),
+            _ => {
+                let (sampler, hit) = (&self.samplers[index].directions, seen.hit.as_ref());
+                emitter_pdf(self.accel, emitter, sampler, hit, direction, &receiver())
+            }
+        };
         f64::from(self.sampling.emitter_samples) * probability * pdf
+    }
+}
+
+impl LaneLights<'_> {
+    /// From the covector on what is seen of an emitter to those on its numbers that are asked for;
+    /// `position` is where it was drawn from.
+    pub fn pull(
+        &self,
+        emitter: EmitterId,
+        seen: &Seen,
+        position: Option<Vec3>,
+        covector: Rgb,
+        scene: &LaneScene<'_>,
+        depends: &mut impl FnMut(PathAdjoint),
+    ) {
+        if !self.is_asked_for(emitter) {
+            return;
+        }
+        let kind = &self.kinds[emitter.0 as usize];
+        match (self.accel.scene.emitter(emitter), position) {
+            (
+                Emitter::Point { .. }
+                | Emitter::Spot { .. }
+                | Emitter::Projector { .. }
+                | Emitter::Directional { .. },
+                Some(position),
+            ) => depends(PathAdjoint::Irradiance {
+                emitter,
+                position,
+                covector,
+            }),
+            (Emitter::EnvironmentMap { data, scale, .. }, _) => {
+                let (Some(sky), Some(place)) = (&kind.sky, &seen.place) else {
+                    return;
+                };
+                let on_texels = covector * sky.scale;
+                for (index, weight) in sky.table.map().weights(place) {
+                    scene.add_texel(*data, index, on_texels * weight, depends);
+                }
+                let texel = |index| sky.texels.texel(index);
+                let on_scale = covector * sky.table.map().at(place, texel);
+                scene.add_texel(*scale, 0, on_scale, depends);
+            }
+            (emitter, _) => {
+                let at = seen.hit.as_ref().map(|hit| scene.point_of(hit));
+                scene.pull_texture(emitter.radiance(), at.as_ref(), covector, depends);
+            }
+        }
     }
 }
 

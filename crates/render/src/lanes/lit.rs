@@ -2,6 +2,7 @@
 
 use capwalk_geometry::Hit;
 use capwalk_scene::EmitterId;
+use capwalk_scene::emitter::MapPlace;
 
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 
@@ -22,9 +23,27 @@ pub struct Lit {
     /// One bit for each that leads to an emitter, and for each that leads to one without extent.
     pub mask: u32,
     pub of_delta: u32,
-    /// The emitters, and the points of those that are surfaces but no rectangles.
+    /// The emitters, the points of those that are surfaces but no rectangles, and the places of
+    /// those that are environment maps.
     pub emitters: [EmitterId; LANES],
     pub hits: [Option<Hit>; LANES],
+    pub places: [Option<MapPlace<f64>>; LANES],
+}
+
+/// What of an emitter is seen in a direction.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Seen {
+    /// The point of it, if it is a surface.
+    pub hit: Option<Hit>,
+    /// The place of an environment map.
+    pub place: Option<MapPlace<f64>>,
+}
+
+impl Seen {
+    /// Of an emitter that is no environment map.
+    pub fn on(hit: Option<Hit>) -> Self {
+        Self { hit, place: None }
+    }
 }
 
 impl Default for Lit {
@@ -39,6 +58,7 @@ impl Default for Lit {
             of_delta: 0,
             emitters: [EmitterId(0); LANES],
             hits: [None; LANES],
+            places: [None; LANES],
         }
     }
 }

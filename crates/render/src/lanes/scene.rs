@@ -10,7 +10,9 @@ use capwalk_scene::{
 };
 
 use crate::lanes::lobes::{LaneLobes, Lobes};
+use crate::lanes::scattered::{Arriving, AskedNumber, OnTexture, Place, Scatterer, asked_numbers};
 use crate::lanes::step::Vertices;
+use crate::path_adjoint::PathAdjoint;
 use crate::scene_eval::Primal;
 use crate::shading::Textures;
 
@@ -20,6 +22,7 @@ pub const NOTHING: u32 = u32::MAX;
 /// The shapes of a scene, and what is the same all over each of them.
 pub struct LaneScene<'a> {
     accel: &'a Accel,
+    primal: Primal<'a>,
     /// Which numbers derivatives are asked for with respect to.
     is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
     shapes: Vec<ShapeOfLanes>,
@@ -32,8 +35,8 @@ struct ShapeOfLanes {
     /// True if its material turns with texture coordinates.
     turns: bool,
     emitter: Option<EmitterId>,
-    /// True if numbers of its material are asked for.
-    is_asked_for: bool,
+    /// The numbers of its material that are asked for.
+    asked: Vec<AskedNumber>,
     first_face: u32,
     first_vertex: u32,
 }
@@ -56,15 +59,14 @@ impl<'a> LaneScene<'a> {
     /// The shapes of a scene, to be differentiated with respect to some numbers.
     pub fn new(accel: &'a Accel, is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync)) -> Self {
         let shape = |(i, shape): (usize, &std::sync::Arc<Shape>)| {
-            let is_asked = asked_slots(&accel.scene, shape, is_asked_for)
-                .next()
-                .is_some();
+            let slots = asked_slots(&accel.scene, shape, is_asked_for);
+            let asked = asked_numbers(&accel.scene, shape, slots);
             ShapeOfLanes {
-                sides: match is_asked {
-                    true => textured(&accel.scene, shape.bsdf).unwrap_or_else(differing),
-                    false => sides(accel, shape, accel.needs_tangent[i]),
+                sides: match asked[..] {
+                    [] => sides(accel, shape, accel.needs_tangent[i]),
+                    _ => textured(&accel.scene, shape.bsdf).unwrap_or_else(differing),
                 },
-                is_asked_for: is_asked,
+                asked,
                 has_normals: shape.normals.per_vertex().is_some(),
                 turns: accel.needs_tangent[i],
                 emitter: shape.emitter,
@@ -74,6 +76,7 @@ impl<'a> LaneScene<'a> {
         };
         Self {
             accel,
+            primal: Primal(accel),
             is_asked_for,
             shapes: accel.scene.shapes.iter().enumerate().map(shape).collect(),
         }
@@ -165,33 +168,97 @@ impl<'a> LaneScene<'a> {
 
     /// True if numbers of the material of a face are asked for.
     pub fn is_asked_for(&self, face: u32) -> bool {
-        self.shape_of(face).1.is_asked_for
+        !self.shape_of(face).1.asked.is_empty()
     }
 
-    /// The texture of what is reflected, if the face is diffuse on the side that a path hits, and the
-    /// point on its shape.
-    pub fn reflectance(
+    /// From the covectors on what a surface scatters to those on the texels that are asked for.
+    pub fn pull(
         &self,
-        face: u32,
-        lane: usize,
-        vertices: &Vertices,
-    ) -> Option<(TextureId, SurfacePoint<f64>)> {
-        let (_, place) = self.seen(face, lane, vertices);
-        match self.shape_of(face).1.sides[place] {
-            Scattering::Textured(id) => Some((id, self.point(face, lane, vertices))),
-            _ => None,
+        at: Place<'_>,
+        arrives: &[Option<Arriving>; 2],
+        depends: &mut impl FnMut(PathAdjoint),
+    ) {
+        let Place {
+            face,
+            lane,
+            vertices,
+        } = at;
+        let (outward, place) = self.seen(face, lane, vertices);
+        let (id, shape) = self.shape_of(face);
+        let point = self.point(face, lane, vertices);
+        if let Scattering::Textured(texture) = shape.sides[place] {
+            let covectors = arrives.iter().flatten().map(|light| light.covector);
+            let sum = covectors.fold(Rgb::zero(), |sum, covector| sum + covector);
+            return self.pull_texture(texture, Some(&point), sum, depends);
+        }
+        let tangents = self.tangents(face, lane, vertices);
+        let surface = Scatterer {
+            scene: &self.accel.scene,
+            resolver: &self.accel.resolver,
+            material: self.accel.scene.shape(id).bsdf,
+            side: [Side::Front, Side::Back][place],
+            frame: frame_of(outward, tangents),
+            to_viewer: -vertices.direction.get(lane),
+            textures: &mut self.textures(&point, tangents, outward),
+        };
+        surface.pull(&shape.asked, arrives, |texture, covector| match covector {
+            OnTexture::Alike(covector) => {
+                self.pull_texture(texture, Some(&point), covector, depends);
+            }
+            OnTexture::Mixed(covectors) => {
+                let scene = &self.accel.scene;
+                scene.texel_weights(texture, &point, |texture, index, weight| {
+                    let covectors = covectors.map(|covector| covector * weight);
+                    depends(PathAdjoint::MixedTexel {
+                        texture,
+                        index,
+                        covectors,
+                    });
+                });
+            }
+        });
+    }
+
+    /// From the covector on the value of a texture to those on its texels, if they are asked for.
+    /// The point is needed unless the texture is the same everywhere.
+    pub fn pull_texture(
+        &self,
+        texture: TextureId,
+        at: Option<&SurfacePoint<f64>>,
+        covector: Rgb,
+        depends: &mut impl FnMut(PathAdjoint),
+    ) {
+        let scene = &self.accel.scene;
+        match at.filter(|_| !scene.texture(texture).is_constant()) {
+            None => self.add_texel(texture, 0, covector, depends),
+            Some(at) => scene.texel_weights(texture, at, |id, index, weight| {
+                self.add_texel(id, index, covector * weight, depends);
+            }),
         }
     }
 
-    /// Where a path hit a face.
-    pub fn hit_of(&self, face: u32, lane: usize, vertices: &Vertices) -> Hit {
-        let [_, wb, wc] = vertices.barycentric(lane);
-        let offset = vertices.position.get(lane) - vertices.origin.get(lane);
-        Hit {
-            t: offset.length(),
-            face,
-            barycentric: [wb, wc],
+    /// Adds the covector on a texel, if it is asked for.
+    #[inline]
+    pub fn add_texel(
+        &self,
+        texture: TextureId,
+        index: usize,
+        covector: Rgb,
+        depends: &mut impl FnMut(PathAdjoint),
+    ) {
+        if (self.is_asked_for)(texture) {
+            depends(PathAdjoint::Texel {
+                texture,
+                index,
+                covector,
+            });
         }
+    }
+
+    /// A point of an emitter.
+    pub fn point_of(&self, hit: &Hit) -> SurfacePoint<f64> {
+        let [wb, wc] = hit.barycentric;
+        self.point_at(hit.face, [1.0 - wb - wc, wb, wc])
     }
 
     /// The shading normal on the outside, and which of the shape's sides a path hits.
@@ -218,9 +285,12 @@ impl<'a> LaneScene<'a> {
 
     /// The point on its shape.
     fn point(&self, face: u32, lane: usize, vertices: &Vertices) -> SurfacePoint<f64> {
+        self.point_at(face, vertices.barycentric(lane))
+    }
+
+    fn point_at(&self, face: u32, barycentric: [f64; 3]) -> SurfacePoint<f64> {
         let (id, shape) = self.shape_of(face);
         let face = (face - shape.first_face) as usize;
-        let barycentric = vertices.barycentric(lane);
         SurfacePoint {
             shape: id,
             face,
@@ -255,27 +325,35 @@ impl<'a> LaneScene<'a> {
             .map(|[along_u, _]| along_u)
     }
 
+    /// The textures at a point.
+    fn textures<'p>(
+        &'p self,
+        point: &'p SurfacePoint<f64>,
+        tangents: Option<[Vec3; 2]>,
+        outward: Vec3,
+    ) -> Textures<'p, f64, Primal<'p>> {
+        Textures {
+            eval: &self.primal,
+            is_asked_for: self.is_asked_for,
+            point,
+            tangents,
+            frame: frame_of(outward, tangents),
+        }
+    }
+
     /// The lobes at a point of a shape on which they differ; `None` if there are none.
     fn resolved(&self, face: u32, lane: usize, vertices: &Vertices, seen: Side) -> Option<Lobes> {
         let (id, _) = self.shape_of(face);
         let tangents = self.tangents(face, lane, vertices);
         let outward = vertices.outward.get(lane);
-        let mut textures = Textures {
-            eval: &Primal(self.accel),
-            is_asked_for: self.is_asked_for,
-            point: &self.point(face, lane, vertices),
-            tangents,
-            frame: match tangents {
-                Some([along_u, _]) => Frame::from_normal_and_tangent(outward, along_u),
-                None => Frame::from_normal(outward),
-            },
-        };
+        let point = self.point(face, lane, vertices);
+        let mut textures = self.textures(&point, tangents, outward);
         let scene = &self.accel.scene;
         let material = scene.shape(id).bsdf;
         let mut resolved = (self.accel.resolver).resolve(scene, material, seen, &mut textures);
         resolved.bsdf.lobes().next()?;
         // What has no weight may have a derivative.
-        if self.shape_of(face).1.is_asked_for {
+        if self.is_asked_for(face) {
             resolved.bsdf.explore();
         }
         Some(Lobes::new(resolved))
@@ -290,6 +368,14 @@ pub fn asked_slots(
 ) -> impl Iterator<Item = Slot> {
     let slots = scene.slots_below(shape.bsdf).into_iter();
     slots.filter(|slot| is_asked_for(scene.numbers_of(slot.texture, shape)))
+}
+
+/// The shading frame with a normal, which follows the first texture coordinate if it turns with it.
+fn frame_of(outward: Vec3, tangents: Option<[Vec3; 2]>) -> Frame<f64> {
+    match tangents {
+        Some([along_u, _]) => Frame::from_normal_and_tangent(outward, along_u),
+        None => Frame::from_normal(outward),
+    }
 }
 
 fn differing() -> [Scattering; 2] {

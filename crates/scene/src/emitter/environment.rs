@@ -2,6 +2,7 @@
 //! `+y` over the rows, from the first to the last; the azimuth over the columns,
 //! whose centres are at `(i + 0.5) / width`, with `-z` at 0 and `+x` at 1/4.
 
+use std::array;
 use std::f64::consts::PI;
 
 use capwalk_math::{Affine, Real, Rgb, Vec3};
@@ -26,29 +27,49 @@ impl EnvironmentMap {
     pub fn lookup<R: Real>(
         &self,
         direction: Vec3<R>,
+        texel: impl FnMut(usize) -> Rgb<R>,
+    ) -> Rgb<R> {
+        self.at(&self.place(direction), texel)
+    }
+
+    /// The texels' mean at a place, see [`Self::lookup`].
+    pub fn at<R: Real>(
+        &self,
+        place: &MapPlace<R>,
         mut texel: impl FnMut(usize) -> Rgb<R>,
     ) -> Rgb<R> {
-        let [x, y] = self.place(direction);
-        let (width, height) = (i64::from(self.width), i64::from(self.height));
-        let mut at = |x: i64, y: i64| {
-            let (x, y) = (x.rem_euclid(width), y.clamp(0, height - 1));
-            texel((y * width + x) as usize)
+        let ([first_left, first_right, second_left, second_right], [s, t]) = self.corners(place);
+        let mut row = |left, right| {
+            let (left, right) = (texel(left), texel(right));
+            left + (right - left) * s
         };
+        let (first, second) = (row(first_left, first_right), row(second_left, second_right));
+        first + (second - first) * t
+    }
+
+    /// The texels whose mean [`Self::at`] is, with their weights.
+    pub fn weights(&self, place: &MapPlace<f64>) -> [(usize, f64); 4] {
+        let (corners, [s, t]) = self.corners(place);
+        let weights = [(1.0 - s) * (1.0 - t), s * (1.0 - t), (1.0 - s) * t, s * t];
+        array::from_fn(|i| (corners[i], weights[i]))
+    }
+
+    /// The texels around a place, row by row, and the fractions of the way from the first of them.
+    fn corners<R: Real>(&self, place: &MapPlace<R>) -> ([usize; 4], [R; 2]) {
+        let (width, height) = (i64::from(self.width), i64::from(self.height));
         let split = |x: R| {
             let below = x.value().floor();
             (below as i64, x - R::constant(below))
         };
-        let ((x, s), (y, t)) = (split(x), split(y));
-        let mut row = |y: i64| {
-            let (left, right) = (at(x, y), at(x + 1, y));
-            left + (right - left) * s
-        };
-        let (first, second) = (row(y), row(y + 1));
-        first + (second - first) * t
+        let [(x, s), (y, t)] = place.texel.map(split);
+        let [x, next_x] = [x, x + 1].map(|x| x.rem_euclid(width));
+        let [y, next_y] = [y, y + 1].map(|y| y.clamp(0, height - 1) * width);
+        let corners = [y + x, y + next_x, next_y + x, next_y + next_x];
+        (corners.map(|index| index as usize), [s, t])
     }
 
-    /// Column and row of a direction, in texels; whole numbers are centres.
-    fn place<R: Real>(&self, direction: Vec3<R>) -> [R; 2] {
+    /// Where a unit direction of the world is.
+    pub fn place<R: Real>(&self, direction: Vec3<R>) -> MapPlace<R> {
         // The transpose of a rotation is its inverse.
         let [a, b, c] = self.world_from_map.rows.map(Vec3::constant);
         let d = a * direction.x + b * direction.y + c * direction.z;
@@ -56,10 +77,13 @@ impl EnvironmentMap {
         let sin = (d.x * d.x + d.z * d.z).sqrt();
         let polar = angle(sin, d.y);
         let (width, height) = (f64::from(self.width), f64::from(self.height));
-        [
-            azimuth * R::constant(0.5 / PI * width) - R::constant(0.5),
-            polar * R::constant((height - 1.0) / PI),
-        ]
+        MapPlace {
+            texel: [
+                azimuth * R::constant(0.5 / PI * width) - R::constant(0.5),
+                polar * R::constant((height - 1.0) / PI),
+            ],
+            cos: d.y.value(),
+        }
     }
 
     /// The unit direction of the world at an azimuth and the cosine of a polar
@@ -70,6 +94,15 @@ impl EnvironmentMap {
         let local = Vec3::new(sin_azimuth * sin, cos, -cos_azimuth * sin);
         self.world_from_map.vector(local)
     }
+}
+
+/// A direction, as a map has it.
+#[derive(Clone, Copy, Debug)]
+pub struct MapPlace<R> {
+    /// Column and row, in texels; whole numbers are centres.
+    pub texel: [R; 2],
+    /// Cosine of the polar angle.
+    cos: f64,
 }
 
 /// `atan2(sin, cos)` with its derivative, which is zero where both are.
@@ -84,52 +117,98 @@ fn angle<R: Real>(sin: R, cos: R) -> R {
     value + change * R::constant(1.0 / squared)
 }
 
-/// Directions drawn in proportion to the brightness of an environment map: the
-/// sphere in cells between the centres of texels, each with the mean luminance
-/// of its corners. Within a cell all directions are equally likely.
+/// Directions drawn in proportion to the brightness of an environment map, or to what of it exceeds the
+/// mean: a density that is at the
+/// centres of texels proportional to their luminance, and in the cells between them linear in the
+/// azimuth and in the cosine of the polar angle. The map itself is linear in the polar angle, which
+/// differs near the poles alone.
 #[derive(Clone, Debug)]
 pub struct EnvironmentTable {
     map: EnvironmentMap,
+    is_black: bool,
+    /// Cosine of the polar angle of each row of texels.
+    cosines: Vec<f64>,
     /// Sums of the cells' chances up to each row, then within each row.
     rows: Vec<f64>,
     cells: Vec<f64>,
-    /// Density per solid angle of each cell.
+    /// Density per solid angle at each texel.
     densities: Vec<f64>,
 }
 
+/// A map whose brightness exceeds its mean by less than this share counts as the same everywhere.
+const FLAT: f64 = 1e-9;
+
 impl EnvironmentTable {
-    /// The table of a map with these texels, or `None` if it is black.
-    pub fn new(map: &EnvironmentMap, texture: &Texture) -> Option<Self> {
+    /// The table of a map with these texels. If surfaces draw directions, too, which find light from
+    /// everywhere, it is that of what is brighter than the mean (Karlík et al. 2019, MIS
+    /// compensation with the map's mean).
+    pub fn new(map: &EnvironmentMap, texture: &Texture, surfaces_draw: bool) -> Self {
         let (width, height) = (map.width as usize, map.height as usize);
-        let luminance =
-            |x: usize, y: usize| texture.texel(y * width + x % width).luminance().max(0.0);
-        let count = width * (height - 1);
-        let (mut densities, mut cells) = (Vec::with_capacity(count), Vec::with_capacity(count));
-        let mut rows = Vec::new();
+        let luminance = |texel: usize| texture.texel(texel).luminance().max(0.0);
+        let densities: Vec<f64> = (0..width * height).map(luminance).collect();
+        let polar = |row: usize| PI * row as f64 / (height - 1) as f64;
+        let cosines: Vec<f64> = (0..height).map(|row| polar(row).cos()).collect();
+        let table = Self {
+            map: map.clone(),
+            is_black: true,
+            cosines,
+            rows: Vec::new(),
+            cells: Vec::new(),
+            densities,
+        };
+        let (of_all, total) = table.with_sums();
+        if !surfaces_draw || of_all.is_black {
+            return of_all;
+        }
+        let mean = total / (4.0 * PI);
+        let brighter = |density: &f64| (density * total - mean).max(0.0);
+        let densities = of_all.densities.iter().map(brighter).collect();
+        let (of_brighter, rest) = Self {
+            densities,
+            ..of_all.clone()
+        }
+        .with_sums();
+        // Of a map that is the same everywhere there is nothing left but rounding.
+        match rest > FLAT * total {
+            true => of_brighter,
+            false => of_all,
+        }
+    }
+
+    /// This table with the sums of its densities, which become those of directions, and their
+    /// integral before.
+    fn with_sums(mut self) -> (Self, f64) {
+        let (width, height) = (self.map.width as usize, self.map.height as usize);
+        (self.rows, self.cells) = (Vec::new(), Vec::with_capacity(width * (height - 1)));
         let mut total = 0.0;
         for y in 0..height - 1 {
-            let solid_angle = Self::solid_angle(map, y);
+            let solid_angle = 2.0 * PI / width as f64 * (self.cosines[y] - self.cosines[y + 1]);
             let mut of_row = 0.0;
             for x in 0..width {
-                let corners = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
-                let mean = corners.map(|(x, y)| luminance(x, y)).iter().sum::<f64>() / 4.0;
-                densities.push(mean);
+                let [above, below] = self.corner_densities(x, y);
+                let mean = [above, below].as_flattened().iter().sum::<f64>() / 4.0;
                 of_row += mean * solid_angle;
-                cells.push(of_row);
+                self.cells.push(of_row);
             }
             total += of_row;
-            rows.push(total);
+            self.rows.push(total);
         }
-        if !(total > 0.0 && total.is_finite()) {
-            return None;
+        self.is_black = !(total > 0.0 && total.is_finite());
+        if !self.is_black {
+            let densities = self.densities.iter_mut();
+            densities.for_each(|density| *density /= total);
         }
-        densities.iter_mut().for_each(|density| *density /= total);
-        Some(Self {
-            map: map.clone(),
-            rows,
-            cells,
-            densities,
-        })
+        (self, total)
+    }
+
+    /// True if the map is black (or has no finite sum): nothing can be drawn.
+    pub fn is_black(&self) -> bool {
+        self.is_black
+    }
+
+    /// The map whose directions are drawn.
+    pub fn map(&self) -> &EnvironmentMap {
+        &self.map
     }
 
     /// Sums of the cells' chances up to each row of cells and with it, of which there is one less
@@ -143,51 +222,80 @@ impl EnvironmentTable {
         &self.cells
     }
 
-    /// Density per solid angle of each cell, row by row.
+    /// Density per solid angle at the centre of each texel, row by row.
     pub fn densities(&self) -> &[f64] {
         &self.densities
     }
 
-    /// Cosine of the polar angle at the top of a row of cells.
-    fn cos_of_row(map: &EnvironmentMap, row: usize) -> f64 {
-        (PI * row as f64 / f64::from(map.height - 1)).cos()
-    }
-
-    /// Solid angle of each cell of a row.
-    fn solid_angle(map: &EnvironmentMap, row: usize) -> f64 {
-        let height = Self::cos_of_row(map, row) - Self::cos_of_row(map, row + 1);
-        2.0 * PI / f64::from(map.width) * height
-    }
-
-    /// A unit direction of the world, and its density per solid angle.
-    pub fn sample(&self, u: [f64; 2]) -> (Vec3, f64) {
+    /// A unit direction of the world, and its place, unless the map [is black](Self::is_black).
+    pub fn sample(&self, u: [f64; 2]) -> (Vec3, MapPlace<f64>) {
         let width = self.map.width as usize;
-        // The first interval that ends beyond `u`, and the way through it. Cells
-        // without light have length zero and are never chosen.
-        let choose = |sums: &[f64], u: f64| {
-            let target = u * sums[sums.len() - 1];
-            let last = sums.partition_point(|&sum| sum < sums[sums.len() - 1]);
-            let chosen = sums.partition_point(|&sum| sum <= target).min(last);
-            let below = if chosen == 0 { 0.0 } else { sums[chosen - 1] };
-            let through = (target - below) / (sums[chosen] - below);
-            (chosen, through.clamp(0.0, 1.0))
-        };
-        let (row, down) = choose(&self.rows, u[1]);
-        let (column, along) = choose(&self.cells[row * width..(row + 1) * width], u[0]);
+        // A cell, and numbers that say how far from its corner.
+        let (row, down) = chosen_interval(&self.rows, u[1]);
+        let (column, along) = chosen_interval(&self.cells[row * width..(row + 1) * width], u[0]);
+        let [[a, b], [c, d]] = self.corner_densities(column, row);
+        let down = sample_linear([a + b, c + d], down);
+        let [left, right] = [a + (c - a) * down, b + (d - b) * down];
+        let along = sample_linear([left, right], along);
+        // The direction there.
+        let (top, bottom) = (self.cosines[row], self.cosines[row + 1]);
+        let cos = top + (bottom - top) * down;
         let azimuth = 2.0 * PI * (column as f64 + 0.5 + along) / width as f64;
-        let top = Self::cos_of_row(&self.map, row);
-        let bottom = Self::cos_of_row(&self.map, row + 1);
-        let direction = self.map.direction(azimuth, top + (bottom - top) * down);
-        (direction, self.densities[row * width + column])
+        let polar = cos.clamp(-1.0, 1.0).acos() * (f64::from(self.map.height) - 1.0) / PI;
+        let place = MapPlace {
+            texel: [column as f64 + along, polar],
+            cos,
+        };
+        (self.map.direction(azimuth, cos), place)
     }
 
-    /// Density per solid angle of [`EnvironmentTable::sample`] at a unit direction.
-    pub fn pdf(&self, direction: Vec3) -> f64 {
-        let [x, y] = self.map.place(direction);
+    /// Density per solid angle of [`EnvironmentTable::sample`] at a place.
+    pub fn pdf(&self, place: &MapPlace<f64>) -> f64 {
+        let [x, y] = place.texel;
         let (width, height) = (i64::from(self.map.width), i64::from(self.map.height));
-        let column = (x.floor() as i64).rem_euclid(width);
-        let row = (y.floor() as i64).clamp(0, height - 2);
-        self.densities[(row * width + column) as usize]
+        let column = x.floor();
+        let along = x - column;
+        let row = (y.floor() as i64).clamp(0, height - 2) as usize;
+        let (top, bottom) = (self.cosines[row], self.cosines[row + 1]);
+        let down = ((top - place.cos) / (top - bottom)).clamp(0.0, 1.0);
+        let column = (column as i64).rem_euclid(width) as usize;
+        let [[a, b], [c, d]] = self.corner_densities(column, row);
+        let [left, right] = [a + (c - a) * down, b + (d - b) * down];
+        left + (right - left) * along
+    }
+
+    /// The densities at the corners of a cell, row by row.
+    fn corner_densities(&self, column: usize, row: usize) -> [[f64; 2]; 2] {
+        let width = self.map.width as usize;
+        let next = if column + 1 == width { 0 } else { column + 1 };
+        let of_row = |row: usize| [column, next].map(|x| self.densities[row * width + x]);
+        [of_row(row), of_row(row + 1)]
+    }
+}
+
+/// The first interval that ends beyond the share `u` of the whole, and the fraction of it that is
+/// before. Those of length zero are never chosen.
+fn chosen_interval(sums: &[f64], u: f64) -> (usize, f64) {
+    let total = sums[sums.len() - 1];
+    let target = u * total;
+    let mut chosen = sums.partition_point(|&sum| sum <= target);
+    // Rounding may lead to the end.
+    if chosen == sums.len() {
+        chosen = sums.partition_point(|&sum| sum < total);
+    }
+    let below = if chosen == 0 { 0.0 } else { sums[chosen - 1] };
+    let through = (target - below) / (sums[chosen] - below);
+    (chosen, through.clamp(0.0, 1.0))
+}
+
+/// A number from 0 to 1, drawn from a density that is proportional to `start` at 0, to `end` at 1,
+/// and linear in between.
+fn sample_linear([start, end]: [f64; 2], u: f64) -> f64 {
+    let root = (start * start + u * (end * end - start * start)).sqrt();
+    match start + root > 0.0 {
+        true => (u * (start + end) / (start + root)).min(1.0),
+        // Where nothing is drawn but by rounding.
+        false => u,
     }
 }
 
@@ -285,18 +393,35 @@ mod tests {
     #[test]
     fn densities_integrate_to_one() {
         let (map, texture) = turned();
-        let table = EnvironmentTable::new(&map, &texture).expect("not black");
-        const N: usize = 600;
-        let mut sum = 0.0;
-        for i in 0..N {
-            for j in 0..N {
-                let cos = 2.0 * (i as f64 + 0.5) / N as f64 - 1.0;
-                let azimuth = 2.0 * PI * (j as f64 + 0.5) / N as f64;
-                sum += table.pdf(map.direction(azimuth, cos));
+        for surfaces_draw in [false, true] {
+            let table = EnvironmentTable::new(&map, &texture, surfaces_draw);
+            const N: usize = 600;
+            let mut sum = 0.0;
+            for i in 0..N {
+                for j in 0..N {
+                    let cos = 2.0 * (i as f64 + 0.5) / N as f64 - 1.0;
+                    let azimuth = 2.0 * PI * (j as f64 + 0.5) / N as f64;
+                    sum += table.pdf(&map.place(map.direction(azimuth, cos)));
+                }
             }
+            let integral = sum * 4.0 * PI / (N * N) as f64;
+            assert!((integral - 1.0).abs() < 1e-3, "{integral}");
         }
-        let integral = sum * 4.0 * PI / (N * N) as f64;
-        assert!((integral - 1.0).abs() < 1e-3, "{integral}");
+    }
+
+    /// Beside directions that surfaces draw, only what is brighter than the mean is drawn, unless
+    /// nothing is.
+    #[test]
+    fn what_is_dark_is_left_to_surfaces() {
+        let (map, mut texture) = map();
+        let table = EnvironmentTable::new(&map, &texture, true);
+        let dark = table.densities().iter().filter(|&&d| d == 0.0).count();
+        assert!((3..10).contains(&dark), "{dark}");
+        texture.data.fill(0.7);
+        let table = EnvironmentTable::new(&map, &texture, true);
+        let uniform = 0.25 / PI;
+        let even = |density: &f64| (density - uniform).abs() < 1e-12;
+        assert!(table.densities().iter().all(even) && !table.is_black());
     }
 
     /// The area element of the sampling map is one over the density, and the
@@ -304,7 +429,7 @@ mod tests {
     #[test]
     fn area_element_of_sample_is_one_over_pdf() {
         let (map, texture) = turned();
-        let table = EnvironmentTable::new(&map, &texture).expect("not black");
+        let table = EnvironmentTable::new(&map, &texture, false);
         let h = 1e-6;
         for u in [
             [0.3, 0.7],
@@ -313,9 +438,14 @@ mod tests {
             [0.5, 0.31],
             [0.77, 0.05],
         ] {
-            let (direction, pdf) = table.sample(u);
+            let (direction, place) = table.sample(u);
             assert!((direction.length() - 1.0).abs() < 1e-12);
-            assert!((table.pdf(direction) - pdf).abs() < 1e-12, "{u:?}");
+            let pdf = table.pdf(&map.place(direction));
+            assert!((table.pdf(&place) - pdf).abs() < 1e-12, "{u:?}");
+            let (expected, found) = (map.place(direction).texel, place.texel);
+            let turn = (expected[0] - found[0]) / f64::from(map.width);
+            assert!((turn - turn.round()).abs() < 1e-12, "{u:?}");
+            assert!((expected[1] - found[1]).abs() < 1e-12, "{u:?}");
             let along = |axis: usize| {
                 let at = |t: f64| {
                     let mut u = u;
@@ -329,15 +459,16 @@ mod tests {
         }
         // Cells without light are not drawn, whatever the numbers.
         for u in [[0.0, 0.0], [1.0 - 1e-16, 1.0 - 1e-16], [0.5, 0.999_999]] {
-            let (direction, pdf) = table.sample(u);
-            assert!(pdf > 0.0 && direction.is_finite(), "{u:?}");
+            let (direction, place) = table.sample(u);
+            assert!(table.pdf(&place) > 0.0 && direction.is_finite(), "{u:?}");
         }
     }
 
     #[test]
-    fn a_black_map_has_no_table() {
+    fn a_black_map_is_known() {
         let (map, mut texture) = map();
+        assert!(!EnvironmentTable::new(&map, &texture, false).is_black());
         texture.data.fill(0.0);
-        assert!(EnvironmentTable::new(&map, &texture).is_none());
+        assert!(EnvironmentTable::new(&map, &texture, false).is_black());
     }
 }

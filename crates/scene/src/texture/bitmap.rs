@@ -126,6 +126,36 @@ impl Bitmap {
     /// The value at texture coordinates `uv`. `texel` is asked for texels
     /// counted row by row.
     pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
+        let ([first, second], [s, t]) = match self.corners(uv) {
+            Corners::One(index) => return texel(index),
+            Corners::Four { rows, along } => (rows, along),
+        };
+        let [first, second] = [first, second].map(|row| {
+            let [left, right] = row.map(&mut texel);
+            left + (right - left) * s
+        });
+        first + (second - first) * t
+    }
+
+    /// The texels that [`Self::lookup`] adds up, with their weights.
+    pub fn weights(&self, uv: [f64; 2]) -> [(usize, f64); 4] {
+        match self.corners(uv) {
+            Corners::One(index) => [(index, 1.0), (index, 0.0), (index, 0.0), (index, 0.0)],
+            Corners::Four {
+                rows: [[a, b], [c, d]],
+                along: [s, t],
+            } => [
+                (a, (1.0 - s) * (1.0 - t)),
+                (b, s * (1.0 - t)),
+                (c, (1.0 - s) * t),
+                (d, s * t),
+            ],
+        }
+    }
+
+    /// The texels that are seen at texture coordinates.
+    #[inline]
+    fn corners<R: Real>(&self, uv: [R; 2]) -> Corners<R> {
         let [u, v] = self.to_uv.apply(uv);
         let column = |x: i64| self.wrap.apply(x, self.width);
         let start_of_row = |y: i64| self.wrap.apply(y, self.height) * self.width as usize;
@@ -133,7 +163,7 @@ impl Bitmap {
         match self.filter {
             TexelFilter::Nearest => {
                 let below = |x: R, n: f64| floor(x.value() * n) as i64;
-                texel(start_of_row(below(v, height)) + column(below(u, width)))
+                Corners::One(start_of_row(below(v, height)) + column(below(u, width)))
             }
             TexelFilter::Bilinear => {
                 // The texel whose centre is at or below, and the way from it.
@@ -144,15 +174,28 @@ impl Bitmap {
                 };
                 let ((x, s), (y, t)) = (split(u, width), split(v, height));
                 let columns = [x, x.saturating_add(1)].map(column);
-                let [first, second] = [y, y.saturating_add(1)].map(|y| {
+                let rows = [y, y.saturating_add(1)].map(|y| {
                     let row = start_of_row(y);
-                    let [left, right] = columns.map(|column| texel(row + column));
-                    left + (right - left) * s
+                    columns.map(|column| row + column)
                 });
-                first + (second - first) * t
+                Corners::Four {
+                    rows,
+                    along: [s, t],
+                }
             }
         }
     }
+}
+
+/// Texels of a bitmap that are seen at a point.
+enum Corners<R> {
+    /// Only one.
+    One(usize),
+    /// Those around it, and the fractions of the way from the first of them.
+    Four {
+        rows: [[usize; 2]; 2],
+        along: [R; 2],
+    },
 }
 
 /// Three texels of a row or column, and what they weigh in a quadratic B-spline.
