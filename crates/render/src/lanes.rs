@@ -24,6 +24,7 @@ mod rays;
 mod rough;
 mod scattered;
 mod scene;
+mod sky;
 mod step;
 #[cfg(test)]
 mod tests;
@@ -49,6 +50,7 @@ use lit::{Lit, Seen};
 use lobes::LaneLobes;
 use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING, asked_slots};
+use sky::SkyPoint;
 use step::{Brdf, Vertices};
 use vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
@@ -80,8 +82,9 @@ struct Paths<'a> {
     choices: LaneChoices,
     lit: Lit,
     drawn: Brdf,
-    /// What they hit, or [`NOTHING`].
+    /// What they hit, or [`NOTHING`], and what those see of an environment map that hit nothing.
     faces: [u32; LANES],
+    sky: [SkyPoint; LANES],
     /// How many rays each has taken.
     rays: [u64; LANES],
     /// Their vertices, if light is to be differentiated, and what the camera sees of emitters.
@@ -107,6 +110,7 @@ impl Paths<'_> {
             lit: Lit::default(),
             drawn: Brdf::default(),
             faces: [NOTHING; LANES],
+            sky: [SkyPoint::default(); LANES],
             rays: [0; LANES],
             steps: None,
             seen: [None; LANES],
@@ -295,6 +299,9 @@ impl<'a> LaneTracer<'a> {
         if !self.plan.reaches(1) || self.plan.hide_emitters {
             return;
         }
+        let missed = mask_of(mask, |lane| paths.faces[lane] == NOTHING);
+        let directions = &paths.vertices.direction;
+        (self.lights).see_sky(self.instructions, directions, missed, &mut paths.sky);
         for lane in lanes_of(mask) {
             let (origin, direction) = (
                 paths.vertices.origin.get(lane),
@@ -303,7 +310,7 @@ impl<'a> LaneTracer<'a> {
             let face = paths.faces[lane];
             if let Some(emitter) = self.scene.emitter_towards(face, direction) {
                 let hit = self.scene.hit(face, origin, direction);
-                let seen = self.lights.seen_at(emitter, hit, direction);
+                let seen = self.lights.seen_at(emitter, hit, &paths.sky[lane]);
                 let light = self.lights.radiance(emitter, &seen, origin, direction);
                 paths.light.set_colour(lane, light);
                 paths.seen[lane] = Some((emitter, seen));
@@ -500,6 +507,9 @@ impl<'a> LaneTracer<'a> {
         };
         paths.faces = self.meets.first_hits(&rays);
         paths.count_rays(active);
+        let missed = mask_of(active, |lane| paths.faces[lane] == NOTHING);
+        let directions = &paths.drawn.direction;
+        (self.lights).see_sky(instructions, directions, missed, &mut paths.sky);
         for lane in lanes_of(active) {
             self.add_met(paths, lane);
         }
@@ -515,7 +525,7 @@ impl<'a> LaneTracer<'a> {
         };
         let position = paths.vertices.position.get(lane);
         let hit = self.scene.hit(face, position, direction);
-        let seen = self.lights.seen_at(emitter, hit, direction);
+        let seen = self.lights.seen_at(emitter, hit, &paths.sky[lane]);
         let samples = f64::from(self.plan.sampling.bsdf_samples);
         // Nothing else samples a specular direction.
         let weight = match paths.drawn.specular >> lane & 1 {

@@ -278,8 +278,8 @@ impl TowardsEmitter {
                 Some(far(receiver.frame.to_world(local), pdf))
             }
             DirectionSampler::Environment(table) => {
-                let (direction, _, pdf) = sample_map(table, u);
-                Some(far(direction, pdf))
+                let (direction, place) = sample_map(table, u);
+                Some(far(direction, map_pdf(table, &place)))
             }
             DirectionSampler::Delta => {
                 let light = accel.delta_light(emitter, position)?;
@@ -302,22 +302,21 @@ impl TowardsEmitter {
 /// texels have derivatives, too.
 pub const UNIFORM_SKY: f64 = 0.05;
 
-/// A direction to an environment map, in world space, its place on the map, and its density per
-/// solid angle.
-pub fn sample_map(table: &EnvironmentTable, u: [f64; 2]) -> (Vec3, MapPlace<f64>, f64) {
+/// A direction to an environment map, in world space, and its place on the map.
+pub fn sample_map(table: &EnvironmentTable, u: [f64; 2]) -> (Vec3, MapPlace<f64>) {
     let is_uniform = table.is_black() || u[0] < UNIFORM_SKY;
-    let (direction, place) = match is_uniform {
+    match is_uniform {
         true => {
             let share = if table.is_black() { 1.0 } else { UNIFORM_SKY };
             let direction = uniform_direction([u[0] / share, u[1]]);
             (direction, table.map().place(direction))
         }
         false => table.sample([(u[0] - UNIFORM_SKY) / (1.0 - UNIFORM_SKY), u[1]]),
-    };
-    (direction, place, map_pdf(table, &place))
+    }
 }
 
 /// Density per solid angle of [`sample_map`] at a place.
+#[inline]
 pub fn map_pdf(table: &EnvironmentTable, place: &MapPlace<f64>) -> f64 {
     let uniform = 0.25 * FRAC_1_PI;
     match table.is_black() {

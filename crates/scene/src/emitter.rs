@@ -3,7 +3,7 @@
 pub mod delta;
 mod environment;
 
-pub use environment::{EnvironmentMap, EnvironmentTable, MapPlace};
+pub use environment::{ChosenCell, EnvironmentMap, EnvironmentTable, MapPlace};
 
 use capwalk_geometry::Apex;
 use capwalk_math::{Affine, Vec3};

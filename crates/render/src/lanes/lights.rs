@@ -5,17 +5,17 @@ use capwalk_boundary::{Accel, Streams};
 use capwalk_geometry::Hit;
 use capwalk_geometry::simd::{Computation, Instructions, Simd};
 use capwalk_math::{Rgb, Vec3};
-use capwalk_scene::emitter::{EnvironmentTable, MapPlace};
-use capwalk_scene::{Emitter, EmitterId, Scene, Texture, TextureId};
+use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
 
 use crate::emitter_choice::EmitterChoice;
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
 use crate::lanes::lit::{Lit, Seen};
 use crate::lanes::lobes::LaneLobes;
 use crate::lanes::scene::LaneScene;
+use crate::lanes::sky::{DrawSky, SeeSky, Sky, SkyPoint};
 use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
-use crate::light::{TowardsEmitter, emitter_pdf, map_pdf, sample_map};
+use crate::light::{TowardsEmitter, emitter_pdf};
 use crate::path_adjoint::PathAdjoint;
 use crate::plan::LightSampling;
 use crate::prepared::PreparedScene;
@@ -31,6 +31,8 @@ pub struct LaneLights<'a> {
     samplers: &'a [EmitterSampler],
     sampling: LightSampling,
     kinds: Vec<Kind<'a>>,
+    /// The environment map.
+    sky: Option<Sky<'a>>,
     /// All of the only emitter, if that is a surface.
     only: Option<&'a Node>,
     /// Those whose numbers are asked for.
@@ -41,25 +43,12 @@ pub struct LaneLights<'a> {
 struct Kind<'a> {
     /// If it is one.
     rectangle: Option<&'a RectangleSampler>,
-    sky: Option<Sky<'a>>,
+    /// True for an environment map.
+    is_sky: bool,
     /// What it emits, if that is the same everywhere.
     radiance: Option<Rgb>,
     /// True if it has no extent.
     is_delta: bool,
-}
-
-/// An environment map.
-struct Sky<'a> {
-    table: &'a EnvironmentTable,
-    texels: &'a Texture,
-    scale: Rgb,
-}
-
-impl Sky<'_> {
-    fn radiance(&self, place: &MapPlace<f64>) -> Rgb {
-        let texel = |index| self.texels.texel(index);
-        self.table.map().at(place, texel) * self.scale
-    }
 }
 
 /// Which emitters surfaces choose.
@@ -90,19 +79,10 @@ impl<'a> LaneLights<'a> {
         let kind = |(emitter, sampler): (&Emitter, &'a EmitterSampler)| {
             let texture = accel.scene.texture(emitter.radiance());
             let is_delta = matches!(sampler.directions, DirectionSampler::Delta);
-            let sky = match (emitter, &sampler.directions) {
-                (Emitter::EnvironmentMap { scale, .. }, DirectionSampler::Environment(table)) => {
-                    Some(Sky {
-                        table,
-                        texels: texture,
-                        scale: accel.scene.texture(*scale).texel(0),
-                    })
-                }
-                _ => None,
-            };
-            let is_same = texture.is_constant() && !is_delta && sky.is_none();
+            let is_sky = matches!(sampler.directions, DirectionSampler::Environment(_));
+            let is_same = texture.is_constant() && !is_delta && !is_sky;
             Kind {
-                sky,
+                is_sky,
                 rectangle: match &sampler.directions {
                     DirectionSampler::Area(triangles) => triangles.rectangle(),
                     _ => None,
@@ -118,6 +98,8 @@ impl<'a> LaneLights<'a> {
             },
             _ => None,
         };
+        let emitters = accel.scene.emitters.iter().zip(samplers);
+        let kinds = emitters.clone().map(kind).collect();
         Self {
             accel,
             samplers,
@@ -125,13 +107,8 @@ impl<'a> LaneLights<'a> {
             asked: (accel.scene.emitters.iter())
                 .map(|emitter| is_asked(&accel.scene, emitter, is_asked_for))
                 .collect(),
-            kinds: accel
-                .scene
-                .emitters
-                .iter()
-                .zip(samplers)
-                .map(kind)
-                .collect(),
+            sky: emitters.clone().find_map(|pair| sky(&accel.scene, pair)),
+            kinds,
             only,
         }
     }
@@ -180,7 +157,7 @@ impl<'a> LaneLights<'a> {
         lit: &mut Lit,
     ) {
         (lit.mask, lit.of_delta) = (0, 0);
-        let mut rectangles = 0;
+        let (mut rectangles, mut skies) = (0, 0);
         let choice = match self.samplers.len() {
             0 | 1 => [0.0; LANES],
             _ => streams.numbers(first, lanes),
@@ -199,16 +176,12 @@ impl<'a> LaneLights<'a> {
                 lit.inverse_density[lane] = 1.0 / times;
                 continue;
             }
-            let u = [1, 2].map(|i| streams.number(lane, first + i));
-            if let Some(sky) = &kind.sky {
-                let (direction, place, pdf) = sample_map(sky.table, u);
-                lit.direction.set(lane, direction);
-                lit.range[1][lane] = f64::INFINITY;
-                lit.inverse_density[lane] = 1.0 / (times * pdf);
-                lit.places[lane] = Some(place);
-                lit.mask |= 1 << lane;
+            if kind.is_sky {
+                skies |= 1 << lane;
+                lit.inverse_density[lane] = 1.0 / times;
                 continue;
             }
+            let u = [1, 2].map(|i| streams.number(lane, first + i));
             let receiver = lobes.receiver(vertices, lane);
             self.draw_one(chosen, &receiver, u, times, lane, lit);
         }
@@ -219,6 +192,17 @@ impl<'a> LaneLights<'a> {
                 streams,
                 first: first + 1,
                 lanes: rectangles,
+                lit,
+            });
+        }
+        if let Some(sky) = self.sky
+            && skies != 0
+        {
+            instructions.run(DrawSky {
+                sky,
+                streams,
+                first: first + 1,
+                lanes: skies,
                 lit,
             });
         }
@@ -256,6 +240,7 @@ impl<'a> LaneLights<'a> {
             let (position, direction) = (vertices.position.get(lane), lit.direction.get(lane));
             let radiance = match kind.radiance {
                 Some(radiance) => radiance,
+                None if kind.is_sky => lit.sky[lane].radiance,
                 None if kind.is_delta => {
                     let light = self.accel.delta_light(emitter, position);
                     let own = self.accel.scene.emitter(emitter);
@@ -276,10 +261,10 @@ impl<'a> LaneLights<'a> {
     pub fn seen(&self, vertices: &Vertices, lit: &Lit, lane: usize) -> Seen {
         let emitter = lit.emitters[lane];
         let kind = &self.kinds[emitter.0 as usize];
-        if kind.sky.is_some() {
+        if kind.is_sky {
             return Seen {
                 hit: None,
-                place: lit.places[lane],
+                sky: Some(lit.sky[lane]),
             };
         }
         let Some(rectangle) = kind.rectangle else {
@@ -295,22 +280,43 @@ impl<'a> LaneLights<'a> {
         }))
     }
 
-    /// What of an emitter is seen along a ray that hits it there, or misses everything.
-    pub fn seen_at(&self, emitter: EmitterId, hit: Option<Hit>, direction: Vec3) -> Seen {
-        let sky = self.kinds[emitter.0 as usize].sky.as_ref();
+    /// What of an emitter is seen along a ray that hits it there, or misses everything and sees this
+    /// of the environment map ([`Self::see_sky`]).
+    pub fn seen_at(&self, emitter: EmitterId, hit: Option<Hit>, sky: &SkyPoint) -> Seen {
+        let is_sky = self.kinds[emitter.0 as usize].is_sky;
         Seen {
             hit,
-            place: sky.map(|sky| sky.table.map().place(direction)),
+            sky: is_sky.then_some(*sky),
+        }
+    }
+
+    /// Finds what of the environment map, if there is one, some lanes see that miss everything.
+    pub fn see_sky(
+        &self,
+        instructions: Instructions,
+        directions: &Vectors,
+        lanes: u32,
+        seen: &mut [SkyPoint; LANES],
+    ) {
+        if let Some(sky) = self.sky
+            && lanes != 0
+        {
+            instructions.run(SeeSky {
+                sky,
+                directions,
+                lanes,
+                seen,
+            });
         }
     }
 
     /// What an emitter sends back along a ray that hits it, or misses everything.
     pub fn radiance(&self, emitter: EmitterId, seen: &Seen, origin: Vec3, direction: Vec3) -> Rgb {
         let kind = &self.kinds[emitter.0 as usize];
-        match (kind.radiance, &kind.sky, &seen.place) {
-            (Some(radiance), ..) => radiance,
-            (None, Some(sky), Some(place)) => sky.radiance(place),
-            _ => emitted_at(
+        match (kind.radiance, &seen.sky) {
+            (Some(radiance), _) => radiance,
+            (None, Some(sky)) => sky.radiance,
+            (None, None) => emitted_at(
                 &Primal(self.accel),
                 self.accel,
                 emitter,
@@ -334,9 +340,9 @@ impl<'a> LaneLights<'a> {
     ) -> f64 {
         let index = emitter.0 as usize;
         let probability = choices.choices[lane].probability(index);
-        let pdf = match (&self.kinds[index].sky, &seen.place) {
-            (Some(sky), Some(place)) => map_pdf(sky.table, place),
-            _ => {
+        let pdf = match &seen.sky {
+            Some(sky) => sky.pdf,
+            None => {
                 let (sampler, hit) = (&self.samplers[index].directions, seen.hit.as_ref());
                 emitter_pdf(self.accel, emitter, sampler, hit, direction, &receiver())
             }
@@ -360,7 +366,6 @@ impl LaneLights<'_> {
         if !self.is_asked_for(emitter) {
             return;
         }
-        let kind = &self.kinds[emitter.0 as usize];
         match (self.accel.scene.emitter(emitter), position) {
             (
                 Emitter::Point { .. }
@@ -374,15 +379,15 @@ impl LaneLights<'_> {
                 covector,
             }),
             (Emitter::EnvironmentMap { data, scale, .. }, _) => {
-                let (Some(sky), Some(place)) = (&kind.sky, &seen.place) else {
+                let (Some(sky), Some(point)) = (&self.sky, &seen.sky) else {
                     return;
                 };
-                let on_texels = covector * sky.scale;
-                for (index, weight) in sky.table.map().weights(place) {
+                let (map, on_texels) = (sky.table.map(), covector * sky.scale);
+                for (index, weight) in map.weights(&point.place) {
                     scene.add_texel(*data, index, on_texels * weight, depends);
                 }
                 let texel = |index| sky.texels.texel(index);
-                let on_scale = covector * sky.table.map().at(place, texel);
+                let on_scale = covector * map.at(&point.place, texel);
                 scene.add_texel(*scale, 0, on_scale, depends);
             }
             (emitter, _) => {
@@ -390,6 +395,23 @@ impl LaneLights<'_> {
                 scene.pull_texture(emitter.radiance(), at.as_ref(), covector, depends);
             }
         }
+    }
+}
+
+/// An emitter, if it is an environment map.
+fn sky<'a>(
+    scene: &'a Scene,
+    (emitter, sampler): (&'a Emitter, &'a EmitterSampler),
+) -> Option<Sky<'a>> {
+    match (emitter, &sampler.directions) {
+        (Emitter::EnvironmentMap { data, scale, .. }, DirectionSampler::Environment(table)) => {
+            Some(Sky {
+                table,
+                texels: scene.texture(*data),
+                scale: scene.texture(*scale).texel(0),
+            })
+        }
+        _ => None,
     }
 }
 

@@ -2,8 +2,8 @@
 
 use capwalk_geometry::Hit;
 use capwalk_scene::EmitterId;
-use capwalk_scene::emitter::MapPlace;
 
+use crate::lanes::sky::SkyPoint;
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 
 /// Directions towards emitters.
@@ -23,11 +23,11 @@ pub struct Lit {
     /// One bit for each that leads to an emitter, and for each that leads to one without extent.
     pub mask: u32,
     pub of_delta: u32,
-    /// The emitters, the points of those that are surfaces but no rectangles, and the places of
-    /// those that are environment maps.
+    /// The emitters, the points of those that are surfaces but no rectangles, and those of
+    /// environment maps.
     pub emitters: [EmitterId; LANES],
     pub hits: [Option<Hit>; LANES],
-    pub places: [Option<MapPlace<f64>>; LANES],
+    pub sky: [SkyPoint; LANES],
 }
 
 /// What of an emitter is seen in a direction.
@@ -35,14 +35,14 @@ pub struct Lit {
 pub struct Seen {
     /// The point of it, if it is a surface.
     pub hit: Option<Hit>,
-    /// The place of an environment map.
-    pub place: Option<MapPlace<f64>>,
+    /// The point of an environment map.
+    pub sky: Option<SkyPoint>,
 }
 
 impl Seen {
     /// Of an emitter that is no environment map.
     pub fn on(hit: Option<Hit>) -> Self {
-        Self { hit, place: None }
+        Self { hit, sky: None }
     }
 }
 
@@ -58,7 +58,7 @@ impl Default for Lit {
             of_delta: 0,
             emitters: [EmitterId(0); LANES],
             hits: [None; LANES],
-            places: [None; LANES],
+            sky: [SkyPoint::default(); LANES],
         }
     }
 }

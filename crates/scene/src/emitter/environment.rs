@@ -5,6 +5,7 @@
 use std::array;
 use std::f64::consts::PI;
 
+use capwalk_math::elementary::{angle_of, floor, sin_cos};
 use capwalk_math::{Affine, Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +34,7 @@ impl EnvironmentMap {
     }
 
     /// The texels' mean at a place, see [`Self::lookup`].
+    #[inline]
     pub fn at<R: Real>(
         &self,
         place: &MapPlace<R>,
@@ -55,20 +57,32 @@ impl EnvironmentMap {
     }
 
     /// The texels around a place, row by row, and the fractions of the way from the first of them.
+    #[inline]
     fn corners<R: Real>(&self, place: &MapPlace<R>) -> ([usize; 4], [R; 2]) {
         let (width, height) = (i64::from(self.width), i64::from(self.height));
         let split = |x: R| {
-            let below = x.value().floor();
+            let below = floor(x.value());
             (below as i64, x - R::constant(below))
         };
         let [(x, s), (y, t)] = place.texel.map(split);
-        let [x, next_x] = [x, x + 1].map(|x| x.rem_euclid(width));
+        let [x, next_x] = [x, x + 1].map(|x| self.wrapped(x));
         let [y, next_y] = [y, y + 1].map(|y| y.clamp(0, height - 1) * width);
         let corners = [y + x, y + next_x, next_y + x, next_y + next_x];
         (corners.map(|index| index as usize), [s, t])
     }
 
+    /// The column that stands for another one, around the map.
+    #[inline]
+    fn wrapped(&self, column: i64) -> i64 {
+        let width = i64::from(self.width);
+        match (0..width).contains(&column) {
+            true => column,
+            false => column.rem_euclid(width),
+        }
+    }
+
     /// Where a unit direction of the world is.
+    #[inline]
     pub fn place<R: Real>(&self, direction: Vec3<R>) -> MapPlace<R> {
         // The transpose of a rotation is its inverse.
         let [a, b, c] = self.world_from_map.rows.map(Vec3::constant);
@@ -88,29 +102,31 @@ impl EnvironmentMap {
 
     /// The unit direction of the world at an azimuth and the cosine of a polar
     /// angle.
+    #[inline(always)]
     fn direction(&self, azimuth: f64, cos: f64) -> Vec3 {
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
-        let (sin_azimuth, cos_azimuth) = azimuth.sin_cos();
+        let (sin_azimuth, cos_azimuth) = sin_cos(azimuth);
         let local = Vec3::new(sin_azimuth * sin, cos, -cos_azimuth * sin);
         self.world_from_map.vector(local)
     }
 }
 
 /// A direction, as a map has it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub struct MapPlace<R> {
     /// Column and row, in texels; whole numbers are centres.
     pub texel: [R; 2],
     /// Cosine of the polar angle.
-    cos: f64,
+    pub cos: f64,
 }
 
 /// `atan2(sin, cos)` with its derivative, which is zero where both are.
+#[inline(always)]
 fn angle<R: Real>(sin: R, cos: R) -> R {
     let (s, c) = (sin.value(), cos.value());
     let squared = s * s + c * c;
-    let value = R::constant(s.atan2(c));
-    if squared == 0.0 {
+    let value = R::constant(angle_of([c, s]));
+    if sin.is_constant() && cos.is_constant() || squared == 0.0 {
         return value;
     }
     let change = (sin - R::constant(s)) * R::constant(c) - (cos - R::constant(c)) * R::constant(s);
@@ -229,42 +245,60 @@ impl EnvironmentTable {
 
     /// A unit direction of the world, and its place, unless the map [is black](Self::is_black).
     pub fn sample(&self, u: [f64; 2]) -> (Vec3, MapPlace<f64>) {
+        self.within(&self.choose(u))
+    }
+
+    /// A cell, with numbers that say where in it.
+    #[inline]
+    pub fn choose(&self, u: [f64; 2]) -> ChosenCell {
         let width = self.map.width as usize;
-        // A cell, and numbers that say how far from its corner.
         let (row, down) = chosen_interval(&self.rows, u[1]);
         let (column, along) = chosen_interval(&self.cells[row * width..(row + 1) * width], u[0]);
-        let [[a, b], [c, d]] = self.corner_densities(column, row);
-        let down = sample_linear([a + b, c + d], down);
+        ChosenCell {
+            column: column as f64,
+            cosines: [self.cosines[row], self.cosines[row + 1]],
+            densities: self.corner_densities(column, row),
+            u: [along, down],
+        }
+    }
+
+    /// A unit direction of the world to a cell, and its place. Without a branch.
+    #[inline(always)]
+    pub fn within(&self, cell: &ChosenCell) -> (Vec3, MapPlace<f64>) {
+        let [[a, b], [c, d]] = cell.densities;
+        let down = sample_linear([a + b, c + d], cell.u[1]);
         let [left, right] = [a + (c - a) * down, b + (d - b) * down];
-        let along = sample_linear([left, right], along);
-        // The direction there.
-        let (top, bottom) = (self.cosines[row], self.cosines[row + 1]);
+        let along = sample_linear([left, right], cell.u[0]);
+        let [top, bottom] = cell.cosines;
         let cos = top + (bottom - top) * down;
-        let azimuth = 2.0 * PI * (column as f64 + 0.5 + along) / width as f64;
-        let polar = cos.clamp(-1.0, 1.0).acos() * (f64::from(self.map.height) - 1.0) / PI;
+        let column = cell.column + along;
+        let azimuth = 2.0 * PI / f64::from(self.map.width) * (column + 0.5);
+        let polar = angle_of([cos, (1.0 - cos * cos).max(0.0).sqrt()]);
+        let rows = (f64::from(self.map.height) - 1.0) / PI;
         let place = MapPlace {
-            texel: [column as f64 + along, polar],
+            texel: [column, polar * rows],
             cos,
         };
         (self.map.direction(azimuth, cos), place)
     }
 
     /// Density per solid angle of [`EnvironmentTable::sample`] at a place.
+    #[inline]
     pub fn pdf(&self, place: &MapPlace<f64>) -> f64 {
         let [x, y] = place.texel;
-        let (width, height) = (i64::from(self.map.width), i64::from(self.map.height));
-        let column = x.floor();
+        let column = floor(x);
         let along = x - column;
-        let row = (y.floor() as i64).clamp(0, height - 2) as usize;
+        let row = (floor(y) as i64).clamp(0, i64::from(self.map.height) - 2) as usize;
         let (top, bottom) = (self.cosines[row], self.cosines[row + 1]);
         let down = ((top - place.cos) / (top - bottom)).clamp(0.0, 1.0);
-        let column = (column as i64).rem_euclid(width) as usize;
+        let column = self.map.wrapped(column as i64) as usize;
         let [[a, b], [c, d]] = self.corner_densities(column, row);
         let [left, right] = [a + (c - a) * down, b + (d - b) * down];
         left + (right - left) * along
     }
 
     /// The densities at the corners of a cell, row by row.
+    #[inline]
     fn corner_densities(&self, column: usize, row: usize) -> [[f64; 2]; 2] {
         let width = self.map.width as usize;
         let next = if column + 1 == width { 0 } else { column + 1 };
@@ -273,8 +307,21 @@ impl EnvironmentTable {
     }
 }
 
+/// A cell of a table that was chosen.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct ChosenCell {
+    column: f64,
+    /// Of the polar angles of its rows of texels.
+    cosines: [f64; 2],
+    /// At its corners, row by row.
+    densities: [[f64; 2]; 2],
+    /// Numbers that say where in it.
+    u: [f64; 2],
+}
+
 /// The first interval that ends beyond the share `u` of the whole, and the fraction of it that is
 /// before. Those of length zero are never chosen.
+#[inline]
 fn chosen_interval(sums: &[f64], u: f64) -> (usize, f64) {
     let total = sums[sums.len() - 1];
     let target = u * total;
@@ -290,13 +337,14 @@ fn chosen_interval(sums: &[f64], u: f64) -> (usize, f64) {
 
 /// A number from 0 to 1, drawn from a density that is proportional to `start` at 0, to `end` at 1,
 /// and linear in between.
+#[inline(always)]
 fn sample_linear([start, end]: [f64; 2], u: f64) -> f64 {
     let root = (start * start + u * (end * end - start * start)).sqrt();
-    match start + root > 0.0 {
-        true => (u * (start + end) / (start + root)).min(1.0),
-        // Where nothing is drawn but by rounding.
-        false => u,
-    }
+    let sum = start + root;
+    // Where nothing is drawn but by rounding, it is even.
+    let is_drawn = sum > 0.0;
+    let x = u * (start + end) / if is_drawn { sum } else { 1.0 };
+    if is_drawn { x.min(1.0) } else { u }
 }
 
 #[cfg(test)]
