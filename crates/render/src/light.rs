@@ -316,7 +316,7 @@ pub fn sample_map(table: &EnvironmentTable, u: [f64; 2]) -> (Vec3, MapPlace<f64>
 }
 
 /// Density per solid angle of [`sample_map`] at a place.
-#[inline]
+#[inline(always)]
 pub fn map_pdf(table: &EnvironmentTable, place: &MapPlace<f64>) -> f64 {
     let uniform = 0.25 * FRAC_1_PI;
     match table.is_black() {

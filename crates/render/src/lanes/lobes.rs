@@ -15,7 +15,8 @@ use crate::lanes::step::{Brdf, Vertices, weight_over_density};
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 use crate::receiver::Receiver;
 
-/// The lobes of one side of a surface, the same all over it.
+/// The lobes of one side of a surface, the same all over it or at a point.
+#[derive(Default)]
 pub struct Lobes {
     bsdf: LocalBsdf,
     /// 1 or -1 for the side of the normal that is their front.
@@ -33,15 +34,22 @@ pub struct Lobes {
 impl Lobes {
     /// The lobes of a material.
     pub fn new(material: Resolved<f64>) -> Self {
-        let Resolved { bsdf, flipped } = material;
-        Self {
-            front: if flipped { -1.0 } else { 1.0 },
-            has_smooth: bsdf.has_smooth(),
-            transmits: bsdf.transmits(),
-            is_diffuse: bsdf.is_diffuse(),
-            rough: bsdf.rough_surface(),
-            bsdf,
-        }
+        let mut lobes = Self {
+            bsdf: material.bsdf,
+            ..Self::default()
+        };
+        lobes.describe(material.flipped);
+        lobes
+    }
+
+    /// Finds what is known of them.
+    fn describe(&mut self, flipped: bool) {
+        let bsdf = &self.bsdf;
+        self.front = if flipped { -1.0 } else { 1.0 };
+        self.has_smooth = bsdf.has_smooth();
+        self.transmits = bsdf.transmits();
+        self.is_diffuse = bsdf.is_diffuse();
+        self.rough = bsdf.rough_surface();
     }
 }
 
@@ -123,15 +131,26 @@ impl<'a> LaneLobes<'a> {
         }
     }
 
-    /// [`Self::set`] for those found at a point. They scatter light one by one.
-    pub fn set_own(&mut self, lane: usize, lobes: Lobes, tangent: Option<Vec3>) {
-        match &mut self.surfaces.own[lane] {
-            Some(own) => **own = lobes,
-            none => *none = Some(Box::new(lobes)),
+    /// [`Self::set`] for those at a point: `find` adds them to none, and says whether the normal is
+    /// to be turned over, if there are any. Gives the side of it that is their front.
+    pub fn set_own(
+        &mut self,
+        lane: usize,
+        tangent: Option<Vec3>,
+        find: impl FnOnce(&mut LocalBsdf) -> Option<bool>,
+    ) -> Option<f64> {
+        let lobes = self.surfaces.own[lane].get_or_insert_default();
+        lobes.bsdf = LocalBsdf::default();
+        let flipped = find(&mut lobes.bsdf)?;
+        lobes.describe(flipped);
+        if let Some(rough) = lobes.rough.take() {
+            self.rough_lanes |= 1 << lane;
+            self.rough.set_own(lane, rough);
         }
         self.surfaces.own_lanes |= 1 << lane;
         self.tangents[lane] = tangent;
         self.with_lobes |= 1 << lane;
+        Some(lobes.front)
     }
 
     /// One bit for each of some lanes that has any of which something holds.

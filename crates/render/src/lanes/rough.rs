@@ -15,7 +15,7 @@ use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 /// The rough surfaces, coordinate by coordinate.
 #[derive(Debug)]
 pub struct LaneRough<'a> {
-    surfaces: [Option<&'a RoughSurface>; LANES],
+    surfaces: [Option<Held<'a>>; LANES],
     alpha: [Numbers; 2],
     distribution: [Distribution; LANES],
     specular: Vectors,
@@ -29,10 +29,29 @@ pub struct LaneRough<'a> {
     base_probability: Numbers,
 }
 
+/// A rough surface.
+#[derive(Debug)]
+enum Held<'a> {
+    /// Of a material that is the same everywhere.
+    Constant(&'a RoughSurface),
+    /// At a point.
+    Own(RoughSurface),
+}
+
+impl Held<'_> {
+    #[inline(always)]
+    fn get(&self) -> &RoughSurface {
+        match self {
+            Held::Constant(surface) => surface,
+            Held::Own(surface) => surface,
+        }
+    }
+}
+
 impl<'a> LaneRough<'a> {
     /// None yet.
     pub const NONE: Self = Self {
-        surfaces: [None; LANES],
+        surfaces: [const { None }; LANES],
         alpha: [[1.0; LANES]; 2],
         distribution: [Distribution::Ggx; LANES],
         specular: Vectors::ZERO,
@@ -47,7 +66,18 @@ impl<'a> LaneRough<'a> {
     /// Sets that of a lane.
     #[inline(always)]
     pub fn set(&mut self, lane: usize, surface: &'a RoughSurface) {
-        self.surfaces[lane] = Some(surface);
+        self.set_numbers(lane, surface);
+        self.surfaces[lane] = Some(Held::Constant(surface));
+    }
+
+    /// Sets that of a lane, found at a point.
+    pub fn set_own(&mut self, lane: usize, surface: RoughSurface) {
+        self.set_numbers(lane, &surface);
+        self.surfaces[lane] = Some(Held::Own(surface));
+    }
+
+    #[inline(always)]
+    fn set_numbers(&mut self, lane: usize, surface: &RoughSurface) {
         self.alpha[0][lane] = surface.facets.alpha_u;
         self.alpha[1][lane] = surface.facets.alpha_v;
         self.distribution[lane] = surface.facets.distribution;
@@ -92,8 +122,8 @@ impl Computation for Seen<'_, '_> {
             lanes,
         } = self;
         for lane in lanes_of(lanes) {
-            let passes =
-                rough.surfaces[lane].map(|surface| surface.passes(frames.wi.0[2][lane].abs()));
+            let surface = rough.surfaces[lane].as_ref().map(Held::get);
+            let passes = surface.map(|surface| surface.passes(frames.wi.0[2][lane].abs()));
             rough.enters[lane] = passes.unwrap_or(0.0);
         }
         see(&frames.wi, rough);
@@ -265,7 +295,7 @@ fn scatter(
     let mut specular = rough.specular;
     let mut leaves = [0.0; LANES];
     for lane in lanes_of(lanes) {
-        let Some(surface) = rough.surfaces[lane] else {
+        let Some(surface) = rough.surfaces[lane].as_ref().map(Held::get) else {
             continue;
         };
         leaves[lane] = surface.passes(wo.0[2][lane]);

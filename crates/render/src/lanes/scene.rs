@@ -3,7 +3,7 @@
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::Hit;
 use capwalk_math::{Frame, Rgb, Vec3};
-use capwalk_scene::lobe::{Diffuse, Lobe, Side};
+use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf, Side};
 use capwalk_scene::resolve::Constants;
 use capwalk_scene::{
     Bsdf, BsdfId, EmitterId, Scene, Shape, ShapeId, Slot, SurfacePoint, TextureId,
@@ -153,11 +153,11 @@ impl<'a> LaneScene<'a> {
             }
             Scattering::Differing => {
                 let seen = [Side::Front, Side::Back][place];
-                let Some(found) = self.resolved(face, lane, vertices, seen) else {
+                let tangent = self.tangent(face, lane, vertices);
+                let find = |bsdf: &mut _| self.resolve(face, lane, vertices, seen, bsdf);
+                let Some(front) = lobes.set_own(lane, tangent, find) else {
                     return false;
                 };
-                let front = found.front;
-                lobes.set_own(lane, found, self.tangent(face, lane, vertices));
                 (front, Rgb::zero())
             }
         };
@@ -341,22 +341,30 @@ impl<'a> LaneScene<'a> {
         }
     }
 
-    /// The lobes at a point of a shape on which they differ; `None` if there are none.
-    fn resolved(&self, face: u32, lane: usize, vertices: &Vertices, seen: Side) -> Option<Lobes> {
+    /// Adds the lobes at a point of a shape on which they differ; `None` if there are none, else
+    /// whether the normal is to be turned over.
+    fn resolve(
+        &self,
+        face: u32,
+        lane: usize,
+        vertices: &Vertices,
+        seen: Side,
+        bsdf: &mut LocalBsdf,
+    ) -> Option<bool> {
         let (id, _) = self.shape_of(face);
         let tangents = self.tangents(face, lane, vertices);
         let outward = vertices.outward.get(lane);
         let point = self.point(face, lane, vertices);
         let mut textures = self.textures(&point, tangents, outward);
-        let scene = &self.accel.scene;
+        let (scene, resolver) = (&self.accel.scene, &self.accel.resolver);
         let material = scene.shape(id).bsdf;
-        let mut resolved = (self.accel.resolver).resolve(scene, material, seen, &mut textures);
-        resolved.bsdf.lobes().next()?;
+        let flipped = resolver.resolve_into(scene, material, seen, &mut textures, bsdf);
+        bsdf.lobes().next()?;
         // What has no weight may have a derivative.
         if self.is_asked_for(face) {
-            resolved.bsdf.explore();
+            bsdf.explore();
         }
-        Some(Lobes::new(resolved))
+        Some(flipped)
     }
 }
 

@@ -34,7 +34,7 @@ impl EnvironmentMap {
     }
 
     /// The texels' mean at a place, see [`Self::lookup`].
-    #[inline]
+    #[inline(always)]
     pub fn at<R: Real>(
         &self,
         place: &MapPlace<R>,
@@ -57,7 +57,7 @@ impl EnvironmentMap {
     }
 
     /// The texels around a place, row by row, and the fractions of the way from the first of them.
-    #[inline]
+    #[inline(always)]
     fn corners<R: Real>(&self, place: &MapPlace<R>) -> ([usize; 4], [R; 2]) {
         let (width, height) = (i64::from(self.width), i64::from(self.height));
         let split = |x: R| {
@@ -72,7 +72,7 @@ impl EnvironmentMap {
     }
 
     /// The column that stands for another one, around the map.
-    #[inline]
+    #[inline(always)]
     fn wrapped(&self, column: i64) -> i64 {
         let width = i64::from(self.width);
         match (0..width).contains(&column) {
@@ -82,7 +82,7 @@ impl EnvironmentMap {
     }
 
     /// Where a unit direction of the world is.
-    #[inline]
+    #[inline(always)]
     pub fn place<R: Real>(&self, direction: Vec3<R>) -> MapPlace<R> {
         // The transpose of a rotation is its inverse.
         let [a, b, c] = self.world_from_map.rows.map(Vec3::constant);
@@ -249,7 +249,7 @@ impl EnvironmentTable {
     }
 
     /// A cell, with numbers that say where in it.
-    #[inline]
+    #[inline(always)]
     pub fn choose(&self, u: [f64; 2]) -> ChosenCell {
         let width = self.map.width as usize;
         let (row, down) = chosen_interval(&self.rows, u[1]);
@@ -283,7 +283,7 @@ impl EnvironmentTable {
     }
 
     /// Density per solid angle of [`EnvironmentTable::sample`] at a place.
-    #[inline]
+    #[inline(always)]
     pub fn pdf(&self, place: &MapPlace<f64>) -> f64 {
         let [x, y] = place.texel;
         let column = floor(x);
@@ -298,7 +298,7 @@ impl EnvironmentTable {
     }
 
     /// The densities at the corners of a cell, row by row.
-    #[inline]
+    #[inline(always)]
     fn corner_densities(&self, column: usize, row: usize) -> [[f64; 2]; 2] {
         let width = self.map.width as usize;
         let next = if column + 1 == width { 0 } else { column + 1 };
@@ -321,7 +321,7 @@ pub struct ChosenCell {
 
 /// The first interval that ends beyond the share `u` of the whole, and the fraction of it that is
 /// before. Those of length zero are never chosen.
-#[inline]
+#[inline(always)]
 fn chosen_interval(sums: &[f64], u: f64) -> (usize, f64) {
     let total = sums[sums.len() - 1];
     let target = u * total;
