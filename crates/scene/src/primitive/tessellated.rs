@@ -1,6 +1,8 @@
 //! Rectangles, cubes, disks, cylinders and spheres of triangles.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 use capwalk_geometry::Mesh;
 use capwalk_math::{Affine, Vec3};
@@ -133,7 +135,7 @@ pub fn divided_sphere(
     radius: f64,
     division: u32,
 ) -> (Mesh, ShadingNormals) {
-    let mut mesh = turned_icosphere(division);
+    let mut mesh = turned_icosphere(division).into_owned();
     let side = world_from_object.determinant().signum();
     let mut normals = Vec::with_capacity(mesh.positions.len());
     for p in &mut mesh.positions {
@@ -147,13 +149,21 @@ pub fn divided_sphere(
 /// The unit sphere. The icosahedron's edges lie in planes of symmetry. Turned at
 /// random they do not line up with axes, cameras and emitters. It stays symmetric
 /// about its centre, so the bounding box keeps its centre there.
-pub(super) fn turned_icosphere(division: u32) -> Mesh {
-    let mut mesh = icosphere(division);
-    let turned = Affine::rotate(Vec3::new(0.36, 0.48, -0.8), 0.7);
-    for p in &mut mesh.positions {
-        *p = turned.vector(*p);
+pub(super) fn turned_icosphere(division: u32) -> Cow<'static, Mesh> {
+    // Scenes have hundreds of the usual one.
+    static USUAL: OnceLock<Mesh> = OnceLock::new();
+    let make = || {
+        let mut mesh = icosphere(division);
+        let turned = Affine::rotate(Vec3::new(0.36, 0.48, -0.8), 0.7);
+        for p in &mut mesh.positions {
+            *p = turned.vector(*p);
+        }
+        mesh
+    };
+    match division {
+        SPHERE_DIVISION => Cow::Borrowed(USUAL.get_or_init(make)),
+        _ => Cow::Owned(make()),
     }
-    mesh
 }
 
 /// The image of a mesh. Where the map mirrors, faces are wound the other way,

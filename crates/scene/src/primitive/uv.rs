@@ -2,6 +2,7 @@
 //! the corners of each triangle, in the order of the mesh's faces.
 
 use std::f64::consts::PI;
+use std::sync::OnceLock;
 
 use capwalk_math::{Affine, Vec3};
 
@@ -78,9 +79,16 @@ pub fn sphere_uvs() -> FaceUvs {
 
 /// Texture coordinates of [`super::divided_sphere`].
 pub fn divided_sphere_uvs(division: u32) -> FaceUvs {
-    let mesh = turned_icosphere(division);
-    let faces = (0..mesh.faces.len()).map(|face| unwrapped(mesh.corners(face).map(spherical)));
-    faces.collect()
+    static USUAL: OnceLock<FaceUvs> = OnceLock::new();
+    let make = || {
+        let mesh = turned_icosphere(division);
+        let faces = (0..mesh.faces.len()).map(|face| unwrapped(mesh.corners(face).map(spherical)));
+        faces.collect()
+    };
+    match division {
+        SPHERE_DIVISION => USUAL.get_or_init(make).clone(),
+        _ => make(),
+    }
 }
 
 /// These angles, in turns, as close to each other as they can be, none below 0.

@@ -38,6 +38,15 @@ pub fn fresnel_dielectric<R: Real>(cos_i: R, eta: R) -> R {
 /// `eta + i k`, per channel; `cos_i` at least 0.
 #[inline]
 pub fn fresnel_conductor<R: Real>(cos_i: R, eta: Rgb<R>, k: Rgb<R>) -> Rgb<R> {
+    // Often only the roughness has a derivative, and this has none.
+    let numbers = [cos_i, eta.r, eta.g, eta.b, k.r, k.g, k.b];
+    match numbers.iter().all(|x| x.is_constant()) {
+        true => Rgb::constant(conductor(cos_i.value(), eta.value(), k.value())),
+        false => conductor(cos_i, eta, k),
+    }
+}
+
+fn conductor<R: Real>(cos_i: R, eta: Rgb<R>, k: Rgb<R>) -> Rgb<R> {
     Rgb::new(
         conductor_channel(cos_i, eta.r, k.r),
         conductor_channel(cos_i, eta.g, k.g),
@@ -45,6 +54,7 @@ pub fn fresnel_conductor<R: Real>(cos_i: R, eta: Rgb<R>, k: Rgb<R>) -> Rgb<R> {
     )
 }
 
+#[inline]
 fn conductor_channel<R: Real>(cos_i: R, eta: R, k: R) -> R {
     let one = R::constant(1.0);
     let half = R::constant(0.5);
