@@ -788,8 +788,18 @@ mod tests {
             .collect();
         files.sort();
         let (mut wrong, mut compared) = (Vec::new(), 0);
-        for file in files {
-            let prepared = PreparedScene::new(load_scene(&file, &[]).expect("a scene").scene);
+        for (i, file) in files.into_iter().enumerate() {
+            let mut scene = load_scene(&file, &[]).expect("a scene").scene;
+            // Numbers may come from colours.
+            for texture in scene.textures.iter_mut().filter(|_| i % 2 == 1) {
+                if texture.channels == 1 {
+                    let texture = Arc::make_mut(texture);
+                    let colour = |&x: &f64| [0.9 * x, x, 0.8 * x];
+                    texture.data = texture.data.iter().flat_map(colour).collect();
+                    texture.channels = 3;
+                }
+            }
+            let prepared = PreparedScene::new(scene);
             let scene = prepared.scene();
             let mut wanted = Wanted::by(&Tangent::zero(scene));
             wanted.textures = vec![true; scene.textures.len()];

@@ -51,6 +51,14 @@ impl Quantity {
         )
     }
 
+    /// True if it is one number in all materials: of a colour its luminance.
+    pub fn is_number(self) -> bool {
+        matches!(
+            self,
+            Self::Roughness | Self::RefractiveIndex { .. } | Self::Fraction | Self::TwiceFraction
+        )
+    }
+
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {

@@ -98,6 +98,20 @@ impl Texture {
         texel(&self.data, self.channels, index)
     }
 
+    /// A texel as one number: the luminance of a colour.
+    pub fn texel_as_number(&self, index: usize) -> f64 {
+        self.as_number(self.texel(index))
+    }
+
+    /// A value, or a change of it, as one number.
+    #[inline]
+    pub fn as_number<R: Real>(&self, value: Rgb<R>) -> R {
+        match self.channels {
+            1 => value.r,
+            _ => value.luminance(),
+        }
+    }
+
     /// True if it is the same everywhere.
     pub fn is_constant(&self) -> bool {
         matches!(self.pattern, Pattern::Constant)

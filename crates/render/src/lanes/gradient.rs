@@ -114,14 +114,16 @@ impl LaneTracer<'_> {
                     .pull(*emitter, seen, None, covector, &self.scene, depends);
             }
             sent += factor * arriving;
-            arrives[1] = Some(Arriving {
+            let covector = on_light * arriving * step.over_density(lane);
+            arrives[1] = (covector != Rgb::zero()).then(|| Arriving {
                 direction,
                 specular: step.events[lane].map(|(event, _)| event),
-                covector: on_light * arriving * step.over_density(lane),
+                covector,
             });
         }
         let face = step.faces[lane];
-        if self.scene.is_asked_for(face) {
+        let is_lit = arrives.iter().any(Option::is_some);
+        if is_lit && self.scene.is_asked_for(face) {
             let at = Place {
                 face,
                 lane,

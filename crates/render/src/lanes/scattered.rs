@@ -1,6 +1,7 @@
 //! How what a surface scatters depends on the values of its textures: the material is evaluated with
 //! numbers that have derivatives, three at a time.
 
+use capwalk_math::rgb::LUMINANCE;
 use capwalk_math::{Dual, Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::{LocalBsdf, Side, Specular};
 use capwalk_scene::resolve::{Resolver, TexturesAt};
@@ -36,8 +37,18 @@ pub struct Arriving {
 #[derive(Clone, Copy, Debug)]
 pub struct AskedNumber {
     texture: TextureId,
-    /// Which channel it is; `None` for the only one of a grey.
-    channel: Option<usize>,
+    channel: Channel,
+}
+
+/// Which number of a texture's value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Channel {
+    /// The only one of a grey.
+    Grey,
+    /// The luminance, which is all of a colour that matters.
+    Luminance,
+    /// One of three.
+    Of(usize),
 }
 
 /// The covector on the value of a texture.
@@ -58,16 +69,21 @@ pub fn asked_numbers(
     shape: &Shape,
     slots: impl Iterator<Item = Slot>,
 ) -> Vec<AskedNumber> {
-    let mut textures: Vec<TextureId> = slots.map(|slot| slot.texture).collect();
+    let mut textures: Vec<(TextureId, bool)> = slots
+        .map(|slot| (slot.texture, slot.quantity.is_number()))
+        .collect();
+    // One that is a colour somewhere comes first, as that.
     textures.sort_unstable();
-    textures.dedup();
-    let numbers = textures.into_iter().flat_map(|texture| {
+    textures.dedup_by_key(|(texture, _)| *texture);
+    let numbers = textures.into_iter().flat_map(|(texture, is_number)| {
         let channels = scene.texture(scene.numbers_of(texture, shape)).channels;
-        let count = if channels == 1 { 1 } else { 3 };
-        (0..count).map(move |channel| AskedNumber {
-            texture,
-            channel: (channels != 1).then_some(channel),
-        })
+        let of_texture = match (channels, is_number) {
+            (1, _) => vec![Channel::Grey],
+            (_, true) => vec![Channel::Luminance],
+            (_, false) => [0, 1, 2].map(Channel::Of).to_vec(),
+        };
+        let asked = move |channel| AskedNumber { texture, channel };
+        of_texture.into_iter().map(asked)
     });
     numbers.collect()
 }
@@ -94,12 +110,13 @@ impl Scatterer<'_> {
     ) {
         let mut rest = asked;
         while let Some(first) = rest.first() {
-            // One texture, whose channels come one after the other, or some greys.
-            let count = match first.channel {
-                Some(_) => 3,
-                None => {
-                    let greys = rest.iter().take_while(|number| number.channel.is_none());
-                    greys.count().min(TOGETHER)
+            // One texture, whose channels come one after the other, or some that have one number.
+            let is_channel = |number: &AskedNumber| matches!(number.channel, Channel::Of(_));
+            let count = match is_channel(first) {
+                true => 3,
+                false => {
+                    let single = rest.iter().take_while(|number| !is_channel(number));
+                    single.count().min(TOGETHER)
                 }
             };
             let (some, others) = rest.split_at(count);
@@ -111,13 +128,19 @@ impl Scatterer<'_> {
                 }
                 _ => self.derivatives::<TOGETHER>(some, arrives),
             };
-            match first.channel {
-                Some(_) => depends(first.texture, by_channels(on_numbers)),
-                None => {
-                    for (number, covector) in some.iter().zip(on_numbers) {
-                        depends(number.texture, OnTexture::Alike(covector));
+            if is_channel(first) {
+                depends(first.texture, by_channels(on_numbers));
+                continue;
+            }
+            for (number, covector) in some.iter().zip(on_numbers) {
+                let on_texture = match number.channel {
+                    Channel::Luminance => {
+                        let shares = LUMINANCE.to_array();
+                        OnTexture::Mixed(shares.map(|share| covector * share))
                     }
-                }
+                    _ => OnTexture::Alike(covector),
+                };
+                depends(number.texture, on_texture);
             }
         }
     }
@@ -181,8 +204,8 @@ impl<const N: usize> TexturesAt<Dual<N>> for Varied<'_, '_> {
             if number.texture == id {
                 let channels = [&mut value.r, &mut value.g, &mut value.b];
                 for (channel, x) in channels.into_iter().enumerate() {
-                    let is_same = number.channel.is_none_or(|own| own == channel);
-                    x.tangent[i] = f64::from(u8::from(is_same));
+                    let others = matches!(number.channel, Channel::Of(own) if own != channel);
+                    x.tangent[i] = if others { 0.0 } else { 1.0 };
                 }
             }
         }

@@ -205,7 +205,7 @@ impl Resolver {
             } => {
                 let scale = number(scene, *scale, textures);
                 let slopes = textures.gradient(*heights);
-                let [x, y] = slopes.map(|slope| -grey(scene, *heights, slope) * scale);
+                let [x, y] = slopes.map(|slope| -scene.texture(*heights).as_number(slope) * scale);
                 let normal = self.in_shown_frame(Vec3::new(x, y, one), *nested, side);
                 parts.tilt = Some(Tilt::new(normal, *limits));
                 self.add(scene, *nested, side, weight, textures, parts);
@@ -259,15 +259,7 @@ impl<R: Real> Parts<'_, R> {
 
 /// A texture as one number: the luminance if it is a colour.
 fn number<R: Real>(scene: &Scene, id: TextureId, textures: &mut impl TexturesAt<R>) -> R {
-    grey(scene, id, textures.value(id))
-}
-
-/// A value of a texture, or a change of it, as one number.
-fn grey<R: Real>(scene: &Scene, id: TextureId, value: Rgb<R>) -> R {
-    match scene.texture(id).channels {
-        1 => value.r,
-        _ => value.luminance(),
-    }
+    scene.texture(id).as_number(textures.value(id))
 }
 
 /// What is known of a material at a point: its textures have values there.

@@ -62,7 +62,7 @@ impl InScene for RoughPlastic<TextureId> {
         if !constants.iter().all(|texture| texture.is_constant()) {
             return Err("a rough coat must have one roughness everywhere");
         }
-        let [alpha, inside, outside] = constants.map(|texture| texture.texel(0).r);
+        let [alpha, inside, outside] = constants.map(|texture| texture.texel_as_number(0));
         if inside == outside {
             return Err("a rough coat must not have the index of its outside");
         }
@@ -73,7 +73,7 @@ impl InScene for RoughPlastic<TextureId> {
     }
 
     fn rough_coat(&self, texture: TextureOf) -> Option<RoughCoat> {
-        let number = |id: TextureId| texture(id).texel(0).r;
+        let number = |id: TextureId| texture(id).texel_as_number(0);
         Some(RoughCoat {
             distribution: self.distribution,
             alpha: number(self.alpha),
