@@ -42,6 +42,8 @@ pub struct Gathers {
     /// Points on the `n` pieces of the edges in front of an area emitter: so many times `√n`.
     /// Gathering is paid once for all of them.
     pub points: u32,
+    /// Points on the edges in a pixel, where it has any.
+    pub camera_points: u32,
 }
 
 impl Gathers {
@@ -52,6 +54,7 @@ impl Gathers {
         environment: true,
         indirect: true,
         points: Self::POINTS,
+        camera_points: Self::CAMERA_POINTS,
     };
     /// Nowhere.
     pub const NONE: Self = Self {
@@ -60,6 +63,7 @@ impl Gathers {
         environment: false,
         indirect: false,
         points: Self::POINTS,
+        camera_points: Self::CAMERA_POINTS,
     };
 
     /// The names of the segments.
@@ -76,6 +80,8 @@ impl Gathers {
 
     /// Points where nothing says how many are best.
     pub const POINTS: u32 = 4;
+    /// Likewise in a pixel.
+    pub const CAMERA_POINTS: u32 = 1;
 
     /// Only along segments of the other, too.
     #[must_use]
@@ -102,6 +108,7 @@ impl Gathers {
             environment: self.environment && !other.environment,
             indirect: self.indirect && !other.indirect,
             points: self.points,
+            camera_points: self.camera_points,
         }
     }
 }

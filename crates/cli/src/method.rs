@@ -90,6 +90,12 @@ fn points(method: Method) -> Option<u32> {
     gathers.emitters.then_some(gathers.points)
 }
 
+/// How many points a sample takes on the edges in its pixel; nothing where none are gathered there.
+fn camera_points(method: Method) -> Option<u32> {
+    let gathers = method.traits().gathers;
+    gathers.camera.then_some(gathers.camera_points)
+}
+
 /// How a method was chosen, for `--json`.
 pub fn choice_json(chosen: &Chosen) -> Value {
     let trial = |trial: &Trial| {
@@ -97,6 +103,7 @@ pub fn choice_json(chosen: &Chosen) -> Value {
             "method": trial.method.name(),
             "gathers": trial.method.traits().gathers.names(),
             "points": points(trial.method),
+            "camera_points": camera_points(trial.method),
             "max_angle": trial.max_radius.to_degrees(),
             "variance_per_sample": trial.variance,
             "effort_per_sample": trial.effort,
@@ -105,6 +112,7 @@ pub fn choice_json(chosen: &Chosen) -> Value {
     json!({
         "gathers": chosen.options.method.traits().gathers.names(),
         "points": points(chosen.options.method),
+        "camera_points": camera_points(chosen.options.method),
         "max_angle": chosen.options.walk.max_radius.to_degrees(),
         "trials": chosen.trials.iter().map(trial).collect::<Vec<_>>(),
     })
@@ -120,8 +128,15 @@ pub fn log(chosen: &Chosen) {
         };
         let points = points(method);
         let points = points.map_or_else(String::new, |points| format!(", {points} √n points"));
+        let in_pixels = match camera_points(method) {
+            None | Some(1) => String::new(),
+            Some(count) => format!(", {count} points in a pixel"),
+        };
         let angle = report::number(max_radius.to_degrees());
-        format!("{}{along}{points}, walks up to {angle}°", method.name())
+        format!(
+            "{}{along}{points}{in_pixels}, walks up to {angle}°",
+            method.name()
+        )
     };
     for trial in &chosen.trials {
         let few = match trial.is_carried_by_few() {

@@ -92,6 +92,12 @@ struct Trials {
     spent: f64,
 }
 
+/// More points in pixels cost little if all of a sample costs less than so many times as much.
+const CHEAP: f64 = 1.5;
+
+/// How many points in a pixel are tried, as long as more are better.
+const CAMERA_POINTS_TRIED: [u32; 2] = [4, 16];
+
 impl Pilot<'_> {
     /// The method of the least variance × time. `Walk` if nothing was tried because nothing needs a
     /// choice: no curve in the image moves.
@@ -107,7 +113,7 @@ impl Pilot<'_> {
 
     /// The method of the least cost that was found, and its cutoff. Tries to gather edges along all
     /// segments, if gloss moves also with walks for the camera and indirect light, then with walks in the
-    /// place of each of [`WALKS_TRIED`] in turn, then with more and fewer points, as long as trials are worth it.
+    /// place of each of [`WALKS_TRIED`] in turn, then with more and fewer points, and more in pixels, as long as trials are worth it.
     /// Where none is, edges are gathered wherever they can be, but for the camera and indirect light
     /// if gloss moves ([`Self::moves_gloss`]); walks have the cutoff that is asked for.
     fn best(&self, trials: &mut Trials) -> (Method, f64) {
@@ -165,8 +171,8 @@ impl Pilot<'_> {
                 (best, gathers) = (trial, without);
             }
         }
+        // More points on the edges before emitters, as long as that is better, or else fewer.
         if gathers.emitters {
-            // More points on the edges before emitters, as long as that is better, or else fewer.
             let mut with = |points: u32, than: &Trial| {
                 let method = Method::Edges(Gathers { points, ..gathers });
                 let trial = self.trial(method, than.max_radius, trials)?;
@@ -176,6 +182,25 @@ impl Pilot<'_> {
                 Some(more) => with(64, &more).unwrap_or(more),
                 None => with(1, &best).unwrap_or(best),
             };
+        }
+        // Then more in pixels. Where few of them have edges that move, they have most of the noise, of
+        // which a pilot sees little, and more points there cost little.
+        let gathers = best.method.traits().gathers;
+        for camera_points in CAMERA_POINTS_TRIED {
+            let more = Method::Edges(Gathers {
+                camera_points,
+                ..gathers
+            });
+            let is_tried = gathers.camera;
+            let trial = is_tried.then(|| self.trial(more, best.max_radius, trials));
+            let Some(trial) = trial.flatten() else {
+                break;
+            };
+            let is_cheap = trial.effort > best.effort && trial.effort < CHEAP * best.effort;
+            if !is_cheap && !trial.beats_with_all(&best, CLEARLY) {
+                break;
+            }
+            best = trial;
         }
         (best.method, best.max_radius)
     }

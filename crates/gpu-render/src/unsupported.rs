@@ -143,7 +143,9 @@ fn in_motion(
         let has_them = match options.method {
             Method::Auto => true,
             Method::Edges(gathers) => {
-                direct.without(gathers).is_nowhere() && gathers.points == Gathers::POINTS
+                let points = [gathers.points, gathers.camera_points];
+                direct.without(gathers).is_nowhere()
+                    && points == [Gathers::POINTS, Gathers::CAMERA_POINTS]
             }
             _ => false,
         };

@@ -69,7 +69,8 @@ impl Tracer<'_> {
             moving,
         };
         let support = self.supports.pixel(pixel);
-        self.draw_camera_edge(eval, &camera, pixel, &support, draw)
+        let u = stream.number(EDGE_NUMBERS);
+        self.draw_camera_edge(eval, &camera, (pixel, &support), u, draw)
     }
 
     /// A sample of this term for one pixel: a number of value zero, with a derivative. `None` if
@@ -82,24 +83,41 @@ impl Tracer<'_> {
         support: &Support,
         draw: Draw,
     ) -> Option<Rgb<R>> {
-        let drawn = self.draw_camera_edge(eval, camera, pixel, support, draw);
-        let Some(edge) = drawn.ok()? else {
-            return Some(Rgb::zero());
-        };
-        // Trace both sides with the same random numbers, so that their noise cancels.
-        let [behind, before] = edge
-            .sides
-            .map(|ray| self.radiance(&Primal(self.accel), ray, draw));
-        Some(Rgb::constant((behind - before) * edge.weight) * edge.flow)
+        let count = self.gathers.camera_points;
+        let u = draw.stream.number(EDGE_NUMBERS);
+        let mut sum = Rgb::zero();
+        for i in 0..count {
+            // Points that are spread evenly, each with random numbers of its own for the light.
+            let stream = match i {
+                0 => *draw.stream,
+                _ => draw.stream.branch(EDGE_NUMBERS).branch(i),
+            };
+            let draw = Draw {
+                stream: &stream,
+                ..draw
+            };
+            let u = (u + f64::from(i)) / f64::from(count);
+            let drawn = self.draw_camera_edge(eval, camera, (pixel, support), u, draw);
+            let Some(edge) = drawn.ok()? else {
+                continue;
+            };
+            // Trace both sides with the same random numbers, so that their noise cancels.
+            let [behind, before] = edge
+                .sides
+                .map(|ray| self.radiance(&Primal(self.accel), ray, draw));
+            let weight = edge.weight / f64::from(count);
+            sum += Rgb::constant((behind - before) * weight) * edge.flow;
+        }
+        Some(sum)
     }
 
-    /// Draws a point on an edge that the camera sees.
+    /// The point on an edge that the camera sees that a random number chooses.
     fn draw_camera_edge<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         camera: &Camera<R>,
-        pixel: [u32; 2],
-        support: &Support,
+        (pixel, support): ([u32; 2], &Support),
+        u: f64,
         draw: Draw,
     ) -> Result<Option<CameraEdge<R>>, TooManyImages> {
         let moving = self.moving.as_ref();
@@ -118,7 +136,6 @@ impl Tracer<'_> {
             accel.sees_image(image, view.origin, direction, distance, events)
         };
         // Sample a point on one of them, as it is or in a mirror.
-        let u = draw.stream.number(EDGE_NUMBERS);
         let found = self.facts.silhouettes.with(pixel, make, |silhouettes| {
             let silhouettes = silhouettes?;
             let is_seen = |image: &_, q, distance| sees(image, q, distance).is_some();

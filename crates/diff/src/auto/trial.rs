@@ -97,8 +97,7 @@ impl Trial {
     /// of its method.
     pub fn beats(&self, other: &Self, clearly: f64) -> bool {
         let [few, few_of_other] = [self, other].map(Self::is_carried_by_few);
-        let whole = |trial: &Self| trial.whole_variance * trial.effort;
-        let with_all = whole(self) < clearly * whole(other);
+        let with_all = self.beats_with_all(other, clearly);
         let without = self.cost() < clearly * other.cost();
         // A trial without variance met nothing.
         self.variance > 0.0
@@ -107,6 +106,15 @@ impl Trial {
                 (false, true) => with_all,
                 (true, _) => without && with_all,
             }
+    }
+}
+
+impl Trial {
+    /// Better with the worst pixels, whatever it is without: where one is the other with more
+    /// samples, they are no accidents.
+    pub fn beats_with_all(&self, other: &Self, clearly: f64) -> bool {
+        let whole = |trial: &Self| trial.whole_variance * trial.effort;
+        self.variance > 0.0 && whole(self) < clearly * whole(other)
     }
 }
 

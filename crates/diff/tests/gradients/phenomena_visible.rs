@@ -7,6 +7,7 @@
 use crate::common::agree::*;
 use crate::common::stages::*;
 use crate::common::*;
+use capwalk_diff::{Gathers, Method};
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::*;
@@ -32,7 +33,19 @@ fn turning_camera() {
 #[test]
 fn built_in_ball() {
     let scene = builtin::scene("ball").expect("a built-in scene");
-    primary_case("built-in ball", scene, "ball.translate.x");
+    let tangent = tangent(&scene, "ball.translate.x");
+    // Gathered edges leave no noise where nothing moves.
+    let case = Case {
+        min_pixels: 400,
+        ..primary()
+    };
+    // Also with many points on the edges in a pixel.
+    let many = Method::Edges(Gathers {
+        camera_points: 16,
+        ..Gathers::ALL
+    });
+    let methods = [(case.method, case.gradient_spp), (many, 24)];
+    agree_by(&methods, "built-in ball", scene, &tangent, case);
 }
 
 #[test]
