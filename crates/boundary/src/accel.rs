@@ -2,7 +2,9 @@
 
 use std::sync::{Arc, OnceLock};
 
-use capwalk_geometry::{HalfSpace, Halt, Halted, Hit, Mesh, Ray, RayTree, Wedge, WedgePoint};
+use capwalk_geometry::{
+    BUNDLE, HalfSpace, Halt, Halted, Hit, Mesh, Ray, RayTree, Wedge, WedgePoint,
+};
 use capwalk_math::Vec3;
 use capwalk_scene::lobe::Event;
 use capwalk_scene::resolve::Resolver;
@@ -230,6 +232,13 @@ impl Accel {
             t_max: distance * (1.0 - SHORT_OF_TARGET),
             ..self.surface_ray(from, direction)
         })
+    }
+
+    /// The distances between which something is in the way of each ray of a bundle from points on
+    /// surfaces to points at these distances, as [`Self::surface_sees`] has them.
+    pub fn ranges_to_targets(&self, distances: &[f64; BUNDLE]) -> [[f64; BUNDLE]; 2] {
+        let ends = distances.map(|distance| distance * (1.0 - SHORT_OF_TARGET));
+        [[self.self_distance; BUNDLE], ends]
     }
 
     /// The camera's ray from a point of its lens in a unit direction, between its

@@ -22,4 +22,4 @@ pub use build::build;
 pub use cost::SurfaceCost;
 pub use hierarchy::{Child, ChildKind, Hierarchy, MAX_DEPTH, WIDTH};
 pub use refit::{any_below, child_bounds, child_leaves};
-pub use stack::{Stack, for_each_sorted};
+pub use stack::{Stack, VisitOfRays, for_each_sorted};

@@ -1,8 +1,11 @@
 //! The trees and their queries.
 
 mod across;
+mod beam;
 mod best_first;
 pub mod buffers;
+mod bundle;
+mod bundle_search;
 mod closest;
 mod cone_kernel;
 mod cone_node;
@@ -13,6 +16,7 @@ mod edge_subset;
 mod fine_tree;
 mod gather;
 mod lanes;
+mod local_bundle;
 mod local_cone;
 mod local_packet;
 mod oriented_box;
@@ -29,6 +33,7 @@ mod tree_edge;
 #[cfg(test)]
 mod validate;
 
+pub use bundle::{BUNDLE, Bundle};
 pub use cone_query::{ConeQuery, EdgeSelection, HalfSpace, SilhouettePoint};
 pub use edge_subset::EdgeSubset;
 pub use packet::{Packet, RAYS};

@@ -1,6 +1,7 @@
 //! The trees against brute force.
 
 mod buffers;
+mod bundles;
 mod meshes;
 mod packets;
 mod rays;

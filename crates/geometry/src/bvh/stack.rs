@@ -6,26 +6,74 @@ use super::hierarchy::{Child, WIDTH};
 /// that making them costs nothing beside a node.
 const TOP: usize = 48;
 
+/// What a stack holds: it goes into one number together with a lower bound, so that numbers
+/// compare like bounds, as the bits of non-negative floats do.
+pub trait Visit: Copy {
+    /// Both in one number.
+    fn pack(self, bound: f32) -> u64;
+    /// What was packed, and a bound that is no larger than that.
+    fn unpack(packed: u64) -> (Self, f32);
+}
+
+impl Visit for Child {
+    #[inline(always)]
+    fn pack(self, bound: f32) -> u64 {
+        debug_assert!(bound.is_sign_positive(), "bound {bound}");
+        u64::from(bound.to_bits()) << 32 | u64::from(self.bits())
+    }
+
+    #[inline(always)]
+    fn unpack(packed: u64) -> (Self, f32) {
+        let bound = f32::from_bits((packed >> 32) as u32);
+        (Self::from_bits(packed as u32), bound)
+    }
+}
+
+/// A child, and one bit for each of sixteen rays that are to visit it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VisitOfRays {
+    pub child: Child,
+    pub rays: u32,
+}
+
+impl Visit for VisitOfRays {
+    /// Half of the bound's bits are enough: without the others it is lower.
+    #[inline(always)]
+    fn pack(self, bound: f32) -> u64 {
+        debug_assert!(bound.is_sign_positive() && self.rays >> 16 == 0, "{self:?}");
+        let upper = u64::from(bound.to_bits() >> 16) << 48;
+        upper | u64::from(self.rays) << 32 | u64::from(self.child.bits())
+    }
+
+    #[inline(always)]
+    fn unpack(packed: u64) -> (Self, f32) {
+        let own = Self {
+            child: Child::from_bits(packed as u32),
+            rays: (packed >> 32) as u32 & 0xffff,
+        };
+        (own, f32::from_bits(((packed >> 48) as u32) << 16))
+    }
+}
+
 /// Children still to visit, each with a lower bound (a non-negative number) of
 /// what it can contribute.
-pub struct Stack {
+pub struct Stack<V = Child> {
     /// The nearest child of a node just opened: it comes next, and is never
     /// written to memory.
-    next: Option<Child>,
-    /// Bound and child in one number, so that numbers compare like bounds: the
-    /// bits of non-negative floats do.
+    next: Option<V>,
+    /// Bound and child, packed.
     top: [u64; TOP],
     len: usize,
     /// What does not fit there, below it.
     below: Vec<u64>,
 }
 
-impl Stack {
-    /// A stack that holds the root.
+impl<V: Visit> Stack<V> {
+    /// A stack that holds one child.
     #[inline(always)]
-    pub fn with_root() -> Self {
+    pub fn with(first: V) -> Self {
         Self {
-            next: Some(Child::node(0)),
+            next: Some(first),
             top: [0; TOP],
             len: 0,
             below: Vec::new(),
@@ -35,7 +83,7 @@ impl Stack {
     /// The nearest child of the node opened last that is not bounded beyond
     /// `limit`.
     #[inline(always)]
-    pub fn pop(&mut self, limit: f32) -> Option<Child> {
+    pub fn pop(&mut self, limit: f32) -> Option<V> {
         if let Some(next) = self.next.take() {
             return Some(next);
         }
@@ -44,9 +92,9 @@ impl Stack {
                 self.raise();
             }
             self.len = self.len.checked_sub(1)?;
-            let entry = self.top[self.len];
-            if f32::from_bits((entry >> 32) as u32) <= limit {
-                return Some(Child::from_bits(entry as u32));
+            let (child, bound) = V::unpack(self.top[self.len]);
+            if bound <= limit {
+                return Some(child);
             }
         }
     }
@@ -71,7 +119,7 @@ impl Stack {
 
     /// Pushes the children of the node popped last whose bit is set, the farthest first.
     #[inline(always)]
-    pub fn push_sorted(&mut self, mut mask: u32, bounds: &[f32; WIDTH], children: &[Child; WIDTH]) {
+    pub fn push_sorted(&mut self, mut mask: u32, bounds: &[f32; WIDTH], children: &[V; WIDTH]) {
         debug_assert!(self.next.is_none(), "a node is opened that is not popped");
         if mask == 0 {
             return;
@@ -85,12 +133,12 @@ impl Stack {
         if self.len + WIDTH > TOP {
             self.sink();
         }
-        let mut nearest = pack(bounds[i], children[i]);
+        let mut nearest = children[i].pack(bounds[i]);
         let first = self.len;
         while mask != 0 {
             let i = mask.trailing_zeros() as usize % WIDTH;
             mask &= mask - 1;
-            let entry = pack(bounds[i], children[i]);
+            let entry = children[i].pack(bounds[i]);
             let farther = entry.max(nearest);
             nearest = entry.min(nearest);
             // Insertion sort: there are one or two as a rule.
@@ -102,7 +150,7 @@ impl Stack {
             self.top[slot] = farther;
             self.len += 1;
         }
-        self.next = Some(Child::from_bits(nearest as u32));
+        self.next = Some(V::unpack(nearest).0);
     }
 }
 
@@ -125,12 +173,6 @@ pub fn for_each_sorted(mut mask: u32, bounds: &[f32; WIDTH], mut visit: impl FnM
     }
 }
 
-#[inline(always)]
-fn pack(bound: f32, child: Child) -> u64 {
-    debug_assert!(bound.is_sign_positive(), "bound {bound}");
-    u64::from(bound.to_bits()) << 32 | u64::from(child.bits())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -138,7 +180,7 @@ mod tests {
     /// However many are on it, the last node's nearest child comes first.
     #[test]
     fn deep_stacks_keep_their_order() {
-        let mut stack = Stack::with_root();
+        let mut stack = Stack::with(Child::node(0));
         let mut expected = vec![0];
         let mut next = 1;
         let bounds: [f32; WIDTH] = std::array::from_fn(|i| 10.0 - i as f32);

@@ -156,10 +156,7 @@ impl<S: Simd> Slabs<S> {
             if mask != 0 {
                 found |= 1 << slot;
                 // Of the rays that enter it.
-                let near = near.replaced(!mask, simd.splat(f32::INFINITY)).to_array();
-                *nearest = near
-                    .iter()
-                    .fold(f32::INFINITY, |a, &b| if b < a { b } else { a });
+                *nearest = near.replaced(!mask, simd.splat(f32::INFINITY)).smallest();
             }
         }
         (found, nearest)

@@ -19,7 +19,7 @@ use super::packet_face::PacketFace;
 use super::packet_precision::{IN_PLANE, MOST_OUT};
 use super::ray_kernel::RayNode;
 use super::ray_tree::RayTree;
-use crate::bvh::{ChildKind, Stack};
+use crate::bvh::{Child, ChildKind, Stack};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
 use crate::simd::{Computation, F32x8, Instructions, Lanes, Simd};
@@ -229,8 +229,8 @@ impl Computation for FirstHits<'_> {
             }
         } else {
             let slabs = Slabs::new(simd, &rays);
-            let mut farthest = largest(&rays.end.to_array());
-            let mut stack = Stack::with_root();
+            let mut farthest = rays.end.largest();
+            let mut stack = Stack::with(Child::node(0));
             while let Some(child) = stack.pop(farthest) {
                 match child.kind() {
                     Some(ChildKind::Node(node)) => {
@@ -241,7 +241,7 @@ impl Computation for FirstHits<'_> {
                     Some(ChildKind::Leaf(leaf)) => {
                         for face in tree.leaf(leaf) {
                             if nearest.ask(simd, &rays, face) {
-                                farthest = largest(&nearest.distance.to_array());
+                                farthest = nearest.distance.largest();
                             }
                         }
                     }
@@ -306,7 +306,7 @@ impl Computation for Occluded<'_> {
             return asked & !unhidden.mask;
         }
         let slabs = Slabs::new(simd, &rays);
-        let mut stack = Stack::with_root();
+        let mut stack = Stack::with(Child::node(0));
         while unhidden.mask != 0
             && let Some(child) = stack.pop(f32::INFINITY)
         {
@@ -326,13 +326,4 @@ impl Computation for Occluded<'_> {
         }
         asked & !unhidden.mask
     }
-}
-
-#[inline(always)]
-fn largest(numbers: &[f32; RAYS]) -> f32 {
-    let mut largest = -1.0;
-    for &number in numbers {
-        largest = if number > largest { number } else { largest };
-    }
-    largest
 }

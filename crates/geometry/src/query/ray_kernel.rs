@@ -60,8 +60,8 @@ const NO_FACE: u32 = u32::MAX;
 #[derive(Clone, Debug, PartialEq)]
 #[repr(C, align(32))]
 pub struct TriangleBlock {
-    corners: [[[f64; LANES]; 3]; 3],
-    faces: [u32; LANES],
+    pub(super) corners: [[[f64; LANES]; 3]; 3],
+    pub(super) faces: [u32; LANES],
 }
 
 impl TriangleBlock {
@@ -200,16 +200,35 @@ impl<S: Simd> LocalRay<S> {
         if !is_in_reach {
             return None;
         }
-        let start = origin + direction * enter;
+        let within = Within {
+            start: origin + direction * enter,
+            inverse,
+            ends: [enter, exit],
+            local_per_world,
+            margin,
+        };
+        Some(Self::within(simd, shear, ray.origin, &within))
+    }
+
+    /// The ray with an origin in the world and the map to its direction, and its part in the tree.
+    #[inline(always)]
+    pub fn within(simd: S, shear: RayShear, origin: Vec3, within: &Within) -> Self {
+        let &Within {
+            start,
+            inverse,
+            ends: [enter, exit],
+            local_per_world,
+            margin,
+        } = within;
         let x = Slab::new(simd, start.x, inverse.x, margin);
         let y = Slab::new(simd, start.y, inverse.y, margin);
         let z = Slab::new(simd, start.z, inverse.z, margin);
         let [i, j, k] = shear.axes;
-        Some(Self {
+        Self {
             origin: [
-                simd.splat_f64(ray.origin[i]),
-                simd.splat_f64(ray.origin[j]),
-                simd.splat_f64(ray.origin[k]),
+                simd.splat_f64(origin[i]),
+                simd.splat_f64(origin[j]),
+                simd.splat_f64(origin[k]),
             ],
             shears: [
                 simd.splat_f64(shear.shear[0]),
@@ -221,7 +240,7 @@ impl<S: Simd> LocalRay<S> {
             exit,
             local_per_world,
             margin,
-        })
+        }
     }
 
     /// The local distance beyond which boxes cannot contain anything nearer
@@ -259,9 +278,21 @@ impl<S: Simd> LocalRay<S> {
     }
 }
 
+/// The part of a ray in a tree, in the tree's coordinates.
+pub struct Within {
+    /// Where it enters.
+    pub start: Vec3,
+    /// Distance per movement along each axis.
+    pub inverse: Vec3,
+    /// The distances at which it enters and leaves.
+    pub ends: [f64; 2],
+    pub local_per_world: f64,
+    pub margin: f64,
+}
+
 /// One over a component of a ray's direction, relative to the fastest; finite.
 #[inline(always)]
-fn inverse_speed(speed: f64, fastest: f64) -> f64 {
+pub fn inverse_speed(speed: f64, fastest: f64) -> f64 {
     const LARGEST: f64 = 1.0 / SLOWEST;
     let inverse = fastest / speed.abs();
     let is_slow = inverse > LARGEST;

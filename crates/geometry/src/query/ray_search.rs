@@ -1,7 +1,7 @@
 //! Trees of triangles, and the search for what a ray hits in one and in its parts.
 
 use super::ray_kernel::{LocalRay, RayNode, TriangleBlock};
-use crate::bvh::{ChildKind, Stack};
+use crate::bvh::{Child, ChildKind, Stack};
 use crate::local_frame::LocalFrame;
 use crate::ray::{Hit, Ray};
 use crate::simd::{Computation, Instructions, Simd};
@@ -39,18 +39,26 @@ impl Computation for FirstHit<'_> {
     #[inline(always)]
     fn run<S: Simd>(self, simd: S) -> Option<Hit> {
         let tree = self.tree;
-        let mut best = self.before;
         if tree.nodes.is_empty() {
-            return best;
+            return self.before;
         }
         let Some(local) = LocalRay::new(simd, &tree.frame, self.ray) else {
-            return best;
+            return self.before;
         };
+        self.below(simd, &local, Child::node(0))
+    }
+}
+
+impl FirstHit<'_> {
+    /// The nearest hit below a child of a node.
+    #[inline(always)]
+    pub fn below<S: Simd>(&self, simd: S, local: &LocalRay<S>, child: Child) -> Option<Hit> {
+        let (tree, mut best) = (self.tree, self.before);
         // The part of the ray that can still have a nearer hit, in its own units, and
         // its end in those of the boxes. Every hit shortens both.
         let mut bounds = [self.ray.t_min, self.ray.t_max];
         let mut limit = local.limit(bounds[1]);
-        let mut stack = Stack::with_root();
+        let mut stack = Stack::with(child);
         // Past boxes that the ray enters behind a hit found since they were pushed.
         while let Some(child) = stack.pop(limit) {
             match child.kind() {
@@ -60,7 +68,7 @@ impl Computation for FirstHit<'_> {
                     stack.push_sorted(mask, &near, &node.children);
                 }
                 Some(ChildKind::Leaf(leaf)) => match tree.leaves.get(leaf) {
-                    Some(leaf) => leaf.intersect(simd, &local, bounds, |hit| {
+                    Some(leaf) => leaf.intersect(simd, local, bounds, |hit| {
                         // Of hits at one distance the lowest face counts, in whatever
                         // order the leaves come.
                         let is_nearer = |best: Hit| (hit.t, hit.face) < (best.t, best.face);
@@ -91,9 +99,7 @@ impl Computation for FirstHit<'_> {
         }
         best
     }
-}
 
-impl FirstHit<'_> {
     /// Runs it. Not inlined: a search would contain itself.
     #[cold]
     #[inline(never)]
@@ -121,10 +127,19 @@ impl Computation for Occluded<'_> {
         let Some(local) = LocalRay::new(simd, &tree.frame, self.ray) else {
             return false;
         };
+        self.below(simd, &local, Child::node(0))
+    }
+}
+
+impl Occluded<'_> {
+    /// True if anything below a child of a node is hit.
+    #[inline(always)]
+    pub fn below<S: Simd>(&self, simd: S, local: &LocalRay<S>, child: Child) -> bool {
+        let tree = self.tree;
         let bounds = [self.ray.t_min, self.ray.t_max];
         let limit = local.limit(bounds[1]);
         // Any hit will do. Near boxes still come first: they are the likelier ones.
-        let mut stack = Stack::with_root();
+        let mut stack = Stack::with(child);
         while let Some(child) = stack.pop(limit) {
             match child.kind() {
                 Some(ChildKind::Node(node)) => {
@@ -135,10 +150,10 @@ impl Computation for Occluded<'_> {
                 Some(ChildKind::Leaf(leaf)) => {
                     let mut found = false;
                     match tree.leaves.get(leaf) {
-                        Some(leaf) => leaf.intersect(simd, &local, bounds, |_| found = true),
+                        Some(leaf) => leaf.intersect(simd, local, bounds, |_| found = true),
                         None => {
                             let tree = tree.part(leaf);
-                            found = Self { tree, ..self }.run_apart();
+                            found = Self { tree, ..*self }.run_apart();
                         }
                     }
                     if found {
@@ -150,9 +165,7 @@ impl Computation for Occluded<'_> {
         }
         false
     }
-}
 
-impl Occluded<'_> {
     /// Runs it. Not inlined: a search would contain itself.
     #[cold]
     #[inline(never)]

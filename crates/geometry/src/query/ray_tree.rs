@@ -6,6 +6,8 @@
 
 use rayon::prelude::*;
 
+use super::bundle::{BUNDLE, Bundle};
+use super::bundle_search::{FirstHits, OccludedRays};
 use super::fine_tree::{face_bounds, fine_tree, frame_of, has_unresolved};
 use super::ray_kernel::{self, RayNode, TriangleBlock};
 use super::ray_search::{FirstHit, Occluded, TriangleTree};
@@ -157,6 +159,27 @@ impl RayTree {
             tree: self.searched(),
             instructions: self.instructions,
             ray,
+        })
+    }
+
+    /// The face that each ray of a bundle hits first, as [`Self::first_hit`] finds it; `u32::MAX`
+    /// is none.
+    #[inline]
+    pub fn first_hits(&self, rays: &Bundle<'_>) -> [u32; BUNDLE] {
+        self.instructions.run(FirstHits {
+            tree: self.searched(),
+            instructions: self.instructions,
+            rays,
+        })
+    }
+
+    /// One bit for each ray of a bundle within whose bounds anything lies.
+    #[inline]
+    pub fn occluded_rays(&self, rays: &Bundle<'_>) -> u32 {
+        self.instructions.run(OccludedRays {
+            tree: self.searched(),
+            instructions: self.instructions,
+            rays,
         })
     }
 }

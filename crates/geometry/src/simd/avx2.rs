@@ -217,6 +217,26 @@ impl F32x8 for F32x8Avx2 {
         Self(unsafe { _mm256_blendv_ps(other.0, negative.0, self.0) })
     }
     #[inline(always)]
+    fn smallest(self) -> f32 {
+        // SAFETY: as above.
+        unsafe {
+            let upper = _mm256_extractf128_ps::<1>(self.0);
+            let four = _mm_min_ps(_mm256_castps256_ps128(self.0), upper);
+            let two = _mm_min_ps(four, _mm_movehl_ps(four, four));
+            _mm_cvtss_f32(_mm_min_ss(two, _mm_movehdup_ps(two)))
+        }
+    }
+    #[inline(always)]
+    fn largest(self) -> f32 {
+        // SAFETY: as above.
+        unsafe {
+            let upper = _mm256_extractf128_ps::<1>(self.0);
+            let four = _mm_max_ps(_mm256_castps256_ps128(self.0), upper);
+            let two = _mm_max_ps(four, _mm_movehl_ps(four, four));
+            _mm_cvtss_f32(_mm_max_ss(two, _mm_movehdup_ps(two)))
+        }
+    }
+    #[inline(always)]
     fn to_array(self) -> [f32; 8] {
         let mut array = [0.0; 8];
         // SAFETY: as above; 32 bytes are writable, without alignment.

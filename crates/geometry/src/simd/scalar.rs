@@ -172,6 +172,14 @@ impl F32x8 for Array<f32, 8> {
         }))
     }
     #[inline(always)]
+    fn smallest(self) -> f32 {
+        self.0.into_iter().fold(f32::INFINITY, f32::min)
+    }
+    #[inline(always)]
+    fn largest(self) -> f32 {
+        self.0.into_iter().fold(f32::NEG_INFINITY, f32::max)
+    }
+    #[inline(always)]
     fn to_array(self) -> [f32; 8] {
         self.0
     }

@@ -69,6 +69,10 @@ pub trait F32x8: Lanes {
     fn replaced(self, mask: u32, other: Self) -> Self;
     /// Lanes of `negative` where `self` has its sign bit set, else of `other`.
     fn select_by_sign(self, negative: Self, other: Self) -> Self;
+    /// The smallest number, if none is NaN.
+    fn smallest(self) -> f32;
+    /// The largest number, if none is NaN.
+    fn largest(self) -> f32;
     /// The numbers.
     fn to_array(self) -> [f32; 8];
 }

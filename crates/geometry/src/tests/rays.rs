@@ -10,14 +10,15 @@ use proptest::test_runner::RngSeed;
 
 /// A ray in words: from where, to where, how long, which part counts.
 #[derive(Clone, Copy, Debug)]
-struct Aim {
+pub struct Aim {
     from: Spot,
     towards: Result<Spot, Vec3>,
     length: f64,
     bounds: [f64; 2],
 }
 
-fn aim() -> impl Strategy<Value = Aim> {
+/// Any ray.
+pub fn aim() -> impl Strategy<Value = Aim> {
     let towards = prop_oneof![
         meshes::spot().prop_map(Ok),
         meshes::direction().prop_map(Err)
@@ -37,7 +38,8 @@ fn aim() -> impl Strategy<Value = Aim> {
 }
 
 impl Aim {
-    fn ray(&self, mesh: &Mesh, place: &Place) -> Ray {
+    /// The ray before a mesh.
+    pub fn ray(&self, mesh: &Mesh, place: &Place) -> Ray {
         let origin = self.from.position(mesh, place);
         let direction = match self.towards {
             Ok(spot) => spot.position(mesh, place) - origin,
@@ -205,7 +207,7 @@ fn validation_notices_moved_vertices() {
 }
 
 /// Balls of very different sizes beside, inside and on each other.
-fn wide_mesh(divisions: usize) -> Mesh {
+pub fn wide_mesh(divisions: usize) -> Mesh {
     let mut mesh = Mesh::default();
     let places = [
         (Vec3::zero(), 1.0),

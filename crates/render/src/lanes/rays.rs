@@ -1,15 +1,15 @@
 //! Rays of lanes: in packets where single precision resolves the scene and rays that were reflected at
-//! random still have something in common, else one by one.
+//! random still have something in common, else in bundles, which find what single rays do.
 
 use std::array;
 
 use capwalk_boundary::Accel;
-use capwalk_geometry::{Packet, PacketTree, RAYS, Ray};
+use capwalk_geometry::{BUNDLE, Bundle, Packet, PacketTree, RAYS, Ray};
 
 use crate::lanes::scene::NOTHING;
-use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
+use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
 
-const _: () = assert!(LANES.is_multiple_of(RAYS));
+const _: () = assert!(LANES.is_multiple_of(RAYS) && LANES == BUNDLE);
 
 /// The range of rays that start where something was met.
 pub const ALL_BEHIND: [Numbers; 2] = [[0.0; LANES], [f64::INFINITY; LANES]];
@@ -23,7 +23,7 @@ const NEAREST: f64 = 2e-3;
 /// How many levels of the tree take a ray of a packet an effort of one: measured on a diffuse room
 /// of 36 triangles when there were eight lanes.
 const LEVELS_PER_EFFORT: u64 = 3;
-/// The effort of a single ray, for each level.
+/// The effort of a ray of a bundle, for each level.
 const EFFORT_OF_LEVEL: u64 = 2;
 
 /// What rays meet.
@@ -78,6 +78,10 @@ impl<'a> Meets<'a> {
                     faces[first..first + RAYS].copy_from_slice(&tree.first_hits(&packet));
                 }
             }
+            None if !self.accel.has_flush_emitters() => {
+                let range = self.range(rays);
+                return self.accel.rays().first_hits(&rays.bundle(&range));
+            }
             None => {
                 for lane in lanes_of(rays.mask) {
                     let hit = self.accel.first_hit_within(&self.ray(rays, lane));
@@ -97,11 +101,19 @@ impl<'a> Meets<'a> {
                     mask | tree.occluded(&packet) << first
                 })
             }
-            None => mask_of(rays.mask, |lane| {
-                let (from, direction) = (rays.origin.get(lane), rays.direction.get(lane));
-                let distance = rays.range[1][lane];
-                !self.accel.surface_sees(from, direction, distance)
-            }),
+            None => {
+                let range = self.accel.ranges_to_targets(&rays.range[1]);
+                self.accel.rays().occluded_rays(&rays.bundle(&range))
+            }
+        }
+    }
+
+    /// Distances between which rays of a bundle meet something.
+    fn range(&self, rays: &LaneRays<'_>) -> [Numbers; 2] {
+        let [t_min, t_max] = *rays.range;
+        match rays.from_surfaces {
+            true => [[self.accel.horizon_distance(); LANES], t_max],
+            false => [t_min, t_max],
         }
     }
 
@@ -141,6 +153,15 @@ fn nearest(accel: &Accel) -> f64 {
 }
 
 impl LaneRays<'_> {
+    fn bundle<'b>(&'b self, range: &'b [Numbers; 2]) -> Bundle<'b> {
+        Bundle {
+            origin: &self.origin.0,
+            direction: &self.direction.0,
+            range: range.each_ref(),
+            mask: self.mask,
+        }
+    }
+
     /// The packets in which any ray is asked for, and the first lane of each.
     fn packets(&self) -> impl Iterator<Item = (usize, Packet<'_>)> {
         (0..LANES / RAYS).filter_map(|packet| {

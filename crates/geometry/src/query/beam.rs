@@ -1,0 +1,306 @@
+//! Rays of a bundle that go about the same way: against boxes all of them at a time in single
+//! precision, with the margins of single rays, and against triangles exactly as single rays, operation
+//! by operation.
+
+use super::bundle::BUNDLE;
+use super::local_bundle::{LocalBundle, Numbers, axes_to};
+use super::ray_kernel::{RayNode, TriangleBlock};
+use crate::bvh::{VisitOfRays, WIDTH};
+use crate::ray::{EDGE_ON, PLANE_MARGIN};
+use crate::simd::{F32x8, F64x4, Lanes, Simd};
+
+/// Numbers in a vector of single precision, and of double precision.
+const OF_F32: usize = 8;
+const OF_F64: usize = 4;
+
+/// A number of each ray in single precision.
+type Singles = [f32; BUNDLE];
+
+/// Rays of a bundle that go about the same way, and are fastest along the same axis.
+pub struct Beam<'a> {
+    pub local: &'a LocalBundle,
+    pub mask: u32,
+    axes: [usize; 3],
+    slabs: [SlabOfRays; 3],
+    margin: f32,
+}
+
+/// The motions of rays along an axis.
+struct SlabOfRays {
+    inverse: Singles,
+    /// `start / direction`.
+    offset: Singles,
+    all: Option<AllRays>,
+}
+
+/// What is common to rays that move the same way along an axis.
+struct AllRays {
+    is_reversed: bool,
+    /// Where they start at least and at most, with the margin.
+    start: [f32; 2],
+    /// Distances per movement, without sign.
+    inverse: [f32; 2],
+}
+
+/// Directions of a beam differ by no more than this along each axis.
+const SPREAD: f32 = 0.5;
+
+impl<'a> Beam<'a> {
+    /// The beam of a bundle, if that is more than a few rays.
+    #[inline(always)]
+    pub fn new<S: Simd>(simd: S, local: &'a LocalBundle, few: u32) -> Option<Self> {
+        let most = |axis: &usize| (local.fastest[*axis] & local.mask).count_ones();
+        let fastest = (0..3).max_by_key(most).expect("there are three");
+        let mask = local.fastest[fastest] & local.mask;
+        if !local.is_finite || mask.count_ones() <= few {
+            return None;
+        }
+        let mut beam = Self {
+            local,
+            mask,
+            axes: axes_to(fastest),
+            slabs: [SlabOfRays::NONE, SlabOfRays::NONE, SlabOfRays::NONE],
+            margin: 0.0,
+        };
+        for axis in 0..3 {
+            let [least, most] = ends_of(simd, &singles(&local.direction[axis]));
+            if most - least > SPREAD {
+                return None;
+            }
+        }
+        // Twice that of planes: middles and halves of boxes are rounded, too.
+        let [_, largest] = ends_of(simd, &singles(&local.margin));
+        beam.margin = largest + PLANE_MARGIN as f32;
+        for axis in 0..3 {
+            let (start, inverse) = (&local.start[axis], &local.inverse[axis]);
+            beam.slabs[axis].set(simd, start, inverse, beam.margin);
+        }
+        Some(beam)
+    }
+
+    /// Which children any of some rays may enter before its own limit, with those rays, and no
+    /// later than where; `farthest` is the largest limit.
+    #[inline(always)]
+    pub fn children<S: Simd>(
+        &self,
+        simd: S,
+        node: &RayNode,
+        rays: u32,
+        limits: &Singles,
+        farthest: f32,
+    ) -> (u32, [f32; WIDTH], [VisitOfRays; WIDTH]) {
+        let mut visits = node.children.map(|child| VisitOfRays { child, rays: 0 });
+        // First what no ray can enter, all children at a time.
+        let (mut near, mut far) = (simd.splat(0.0), simd.splat(farthest));
+        let half = simd.splat(0.5);
+        let margin = simd.splat(self.margin);
+        let (mut centres, mut halves) = ([[0.0; WIDTH]; 3], [[0.0; WIDTH]; 3]);
+        for axis in 0..3 {
+            let low = simd.load(&node.planes[0][axis]);
+            let high = simd.load(&node.planes[1][axis]);
+            centres[axis] = ((high + low) * half).to_array();
+            halves[axis] = ((high - low) * half + margin).to_array();
+            if let Some(all) = &self.slabs[axis].all {
+                let [least, most] = [simd.splat(all.start[0]), simd.splat(all.start[1])];
+                let (to_near, to_far) = match all.is_reversed {
+                    false => (low - most, high - least),
+                    true => (least - high, most - low),
+                };
+                let [slow, fast] = [simd.splat(all.inverse[1]), simd.splat(all.inverse[0])];
+                near = near.max((to_near * slow).min(to_near * fast));
+                far = far.min((to_far * slow).max(to_far * fast));
+            }
+        }
+        let mut found = 0;
+        let mut candidates = near.le(far);
+        while candidates != 0 {
+            let slot = candidates.trailing_zeros() as usize % WIDTH;
+            candidates &= candidates - 1;
+            let centre = [centres[0][slot], centres[1][slot], centres[2][slot]];
+            let half = [halves[0][slot], halves[1][slot], halves[2][slot]];
+            let entering = rays & self.entering(simd, centre, half, limits);
+            visits[slot].rays = entering;
+            found |= u32::from(entering != 0) << slot;
+        }
+        (found, near.to_array(), visits)
+    }
+
+    /// One bit for each ray that may enter a box before its limit.
+    #[inline(always)]
+    fn entering<S: Simd>(
+        &self,
+        simd: S,
+        centre: [f32; 3],
+        half: [f32; 3],
+        limits: &Singles,
+    ) -> u32 {
+        let mut entering = 0;
+        for part in 0..BUNDLE / OF_F32 {
+            let mut near = simd.splat(0.0);
+            let mut far = simd.load(part_of(limits, part));
+            for axis in 0..3 {
+                let slab = &self.slabs[axis];
+                let inverse = simd.load(part_of(&slab.inverse, part));
+                let offset = simd.load(part_of(&slab.offset, part));
+                let middle = simd.splat(centre[axis]).mul_sub(inverse, offset);
+                let reach = simd.splat(half[axis]) * inverse.abs();
+                near = near.max(middle - reach);
+                far = far.min(middle + reach);
+            }
+            entering |= near.le(far) << (OF_F32 * part);
+        }
+        entering
+    }
+
+    /// Calls `found` with each of some rays that hits a triangle of a block no farther than at its
+    /// `t_max`, and the distance: exactly [`TriangleBlock::intersect`], operation by operation.
+    #[inline(always)]
+    pub fn intersect<S: Simd>(
+        &self,
+        simd: S,
+        block: &TriangleBlock,
+        lane: usize,
+        rays: u32,
+        t_max: &mut Numbers,
+        mut found: impl FnMut(usize, f64, &mut Numbers),
+    ) {
+        let [i, j, k] = self.axes;
+        let [a, b, c] = &block.corners;
+        let a = [a[i][lane], a[j][lane], a[k][lane]];
+        let b = [b[i][lane], b[j][lane], b[k][lane]];
+        let c = [c[i][lane], c[j][lane], c[k][lane]];
+        for part in 0..BUNDLE / OF_F64 {
+            let own = rays >> (OF_F64 * part) & ((1 << OF_F64) - 1);
+            if own == 0 {
+                continue;
+            }
+            let [ax, ay, az] = self.shear_corner(simd, a, part);
+            let [bx, by, bz] = self.shear_corner(simd, b, part);
+            let [cx, cy, cz] = self.shear_corner(simd, c, part);
+            let u = cx * by - cy * bx;
+            let v = ax * cy - ay * cx;
+            let w = bx * ay - by * ax;
+            let zero = simd.splat_f64(0.0);
+            let (least, largest) = (u.min(v).min(w), u.max(v).max(w));
+            let mut inside = own & (zero.le(least) | largest.le(zero));
+            if inside == 0 {
+                continue;
+            }
+            let determinant = u + v + w;
+            let on_edge = least.le(zero) & zero.le(largest);
+            if inside & on_edge != 0 {
+                let products = (cx * by).abs()
+                    + (cy * bx).abs()
+                    + (ax * cy).abs()
+                    + (ay * cx).abs()
+                    + (bx * ay).abs()
+                    + (by * ax).abs();
+                let edge_on = determinant.abs().le(simd.splat_f64(EDGE_ON) * products);
+                inside &= !(on_edge & edge_on);
+            }
+            let inverse_z = simd.load_f64(part_of(&self.local.inverse_z, part));
+            let t = (u * az + v * bz + w * cz) / determinant * inverse_z;
+            let t_min = simd.load_f64(part_of(&self.local.range[0], part));
+            let before = t.le(simd.load_f64(part_of(t_max, part)));
+            let mut hits = inside & t_min.le(t) & before;
+            if hits == 0 {
+                continue;
+            }
+            let t = t.to_array();
+            while hits != 0 {
+                let ray = hits.trailing_zeros() as usize % OF_F64;
+                hits &= hits - 1;
+                found(OF_F64 * part + ray, t[ray], t_max);
+            }
+        }
+    }
+
+    /// A corner of a triangle, relative to some rays and sheared.
+    #[inline(always)]
+    fn shear_corner<S: Simd>(&self, simd: S, corner: [f64; 3], part: usize) -> [S::F64x4; 3] {
+        let [i, j, k] = self.axes;
+        let LocalBundle { origin, shears, .. } = self.local;
+        let z = simd.splat_f64(corner[2]) - simd.load_f64(part_of(&origin[k], part));
+        let x = simd.splat_f64(corner[0]) - simd.load_f64(part_of(&origin[i], part));
+        let y = simd.splat_f64(corner[1]) - simd.load_f64(part_of(&origin[j], part));
+        [
+            x - simd.load_f64(part_of(&shears[0], part)) * z,
+            y - simd.load_f64(part_of(&shears[1], part)) * z,
+            z,
+        ]
+    }
+
+    /// The limits of its rays, negative for others.
+    #[inline(always)]
+    pub fn limits(&self) -> Singles {
+        let mut limits = [-1.0; BUNDLE];
+        for (ray, limit) in limits.iter_mut().enumerate() {
+            let own = self.local.limit(ray, self.local.range[1][ray]);
+            *limit = if self.mask >> ray & 1 == 1 { own } else { -1.0 };
+        }
+        limits
+    }
+}
+
+impl SlabOfRays {
+    const NONE: Self = Self {
+        inverse: [0.0; BUNDLE],
+        offset: [0.0; BUNDLE],
+        all: None,
+    };
+
+    /// For rays that start in these places, with distance per movement.
+    #[inline(always)]
+    fn set<S: Simd>(&mut self, simd: S, start: &Numbers, inverse: &Numbers, margin: f32) {
+        for ray in 0..BUNDLE {
+            self.inverse[ray] = inverse[ray] as f32;
+            self.offset[ray] = (start[ray] * inverse[ray]) as f32;
+        }
+        let [least, most] = ends_of(simd, &self.inverse);
+        let is_reversed = most < 0.0;
+        // Not in a closure, which would not be compiled with the instructions.
+        if is_reversed || least > 0.0 {
+            let [low, high] = ends_of(simd, &singles(start));
+            self.all = Some(AllRays {
+                is_reversed,
+                start: [low - margin, high + margin],
+                inverse: if is_reversed {
+                    [-most, -least]
+                } else {
+                    [least, most]
+                },
+            });
+        }
+    }
+}
+
+/// The smallest and the largest of the numbers.
+#[inline(always)]
+fn ends_of<S: Simd>(simd: S, numbers: &Singles) -> [f32; 2] {
+    let [low, high] = [
+        simd.load(part_of(numbers, 0)),
+        simd.load(part_of(numbers, 1)),
+    ];
+    [low.min(high).smallest(), low.max(high).largest()]
+}
+
+/// The largest of the numbers.
+#[inline(always)]
+pub fn largest<S: Simd>(simd: S, numbers: &Singles) -> f32 {
+    ends_of(simd, numbers)[1]
+}
+
+#[inline(always)]
+fn singles(numbers: &Numbers) -> Singles {
+    let mut singles = [0.0; BUNDLE];
+    for ray in 0..BUNDLE {
+        singles[ray] = numbers[ray] as f32;
+    }
+    singles
+}
+
+/// A vector of numbers of a bundle.
+#[inline(always)]
+fn part_of<T, const N: usize>(numbers: &[T; BUNDLE], part: usize) -> &[T; N] {
+    &numbers.as_chunks().0[part]
+}

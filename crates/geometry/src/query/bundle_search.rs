@@ -1,0 +1,244 @@
+//! The search for what the rays of a bundle hit.
+//!
+//! Rays that go the same way visit mostly the same nodes: they go down the tree together, and each
+//! node is read once. Where few are left they go on one by one. Answers are those of single rays.
+
+use super::beam::{Beam, largest};
+use super::bundle::{BUNDLE, Bundle, NO_FACE};
+use super::local_bundle::LocalBundle;
+use super::ray_kernel::TriangleBlock;
+use super::ray_search::{FirstHit, Occluded, TriangleTree};
+use crate::bvh::{Child, ChildKind, Stack, VisitOfRays};
+use crate::ray::Hit;
+use crate::simd::{Computation, Instructions, Simd};
+
+/// So few rays are traced one by one.
+const FEW: u32 = 3;
+
+/// The nearest faces that rays hit in a tree.
+pub struct FirstHits<'a> {
+    pub tree: &'a TriangleTree,
+    pub instructions: Instructions,
+    pub rays: &'a Bundle<'a>,
+}
+
+impl Computation for FirstHits<'_> {
+    type Output = [u32; BUNDLE];
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> [u32; BUNDLE] {
+        let mut best = Best {
+            t: *self.rays.range[1],
+            faces: [NO_FACE; BUNDLE],
+        };
+        if self.tree.nodes.is_empty() {
+            return best.faces;
+        }
+        let local = LocalBundle::new(&self.tree.frame, self.rays);
+        let mut rest = local.mask;
+        if let Some(beam) = self.tree.beam(simd, &local) {
+            self.together(simd, &beam, &mut best);
+            rest &= !beam.mask;
+        }
+        while rest != 0 {
+            let ray = rest.trailing_zeros() as usize % BUNDLE;
+            rest &= rest - 1;
+            self.alone(simd, &local, Child::node(0), ray, &mut best);
+        }
+        best.faces
+    }
+}
+
+/// The nearest hits so far.
+struct Best {
+    /// Their distances, or where rays end.
+    t: [f64; BUNDLE],
+    faces: [u32; BUNDLE],
+}
+
+impl TriangleTree {
+    /// The rays that go through it together.
+    #[inline(always)]
+    fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle) -> Option<Beam<'a>> {
+        match self.parts.is_empty() {
+            true => Beam::new(simd, local, FEW),
+            false => None,
+        }
+    }
+}
+
+impl FirstHits<'_> {
+    /// Searches for what rays hit that go down the tree together.
+    #[inline(always)]
+    fn together<S: Simd>(&self, simd: S, beam: &Beam<'_>, best: &mut Best) {
+        let tree = self.tree;
+        let mut limits = beam.limits();
+        let mut farthest = largest(simd, &limits);
+        let mut stack = Stack::with(VisitOfRays {
+            child: Child::node(0),
+            rays: beam.mask,
+        });
+        while let Some(VisitOfRays { child, mut rays }) = stack.pop(farthest) {
+            if rays.count_ones() <= FEW {
+                while rays != 0 {
+                    let ray = rays.trailing_zeros() as usize % BUNDLE;
+                    rays &= rays - 1;
+                    self.alone(simd, beam.local, child, ray, best);
+                    limits[ray] = beam.local.limit(ray, best.t[ray]);
+                }
+                farthest = largest(simd, &limits);
+                continue;
+            }
+            match child.kind() {
+                Some(ChildKind::Node(node)) => {
+                    let node = &tree.nodes[node];
+                    let (found, near, visits) = beam.children(simd, node, rays, &limits, farthest);
+                    stack.push_sorted(found, &near, &visits);
+                }
+                Some(ChildKind::Leaf(leaf)) => {
+                    let block = &tree.leaves[leaf];
+                    self.leaf(simd, beam, block, rays, best, &mut limits);
+                    farthest = largest(simd, &limits);
+                }
+                None => {}
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn leaf<S: Simd>(
+        &self,
+        simd: S,
+        beam: &Beam<'_>,
+        block: &TriangleBlock,
+        rays: u32,
+        best: &mut Best,
+        limits: &mut [f32; BUNDLE],
+    ) {
+        for (lane, face) in block.faces().enumerate() {
+            let faces = &mut best.faces;
+            beam.intersect(simd, block, lane, rays, &mut best.t, |ray, t, t_max| {
+                // Of hits at one distance the lowest face counts.
+                if t < t_max[ray] || face < faces[ray] {
+                    t_max[ray] = t;
+                    faces[ray] = face;
+                    limits[ray] = beam.local.limit(ray, t);
+                }
+            });
+        }
+    }
+
+    /// Searches for what one ray hits below a child of a node.
+    #[inline(always)]
+    fn alone<S: Simd>(
+        &self,
+        simd: S,
+        local: &LocalBundle,
+        child: Child,
+        ray: usize,
+        best: &mut Best,
+    ) {
+        let (t, face) = (best.t[ray], best.faces[ray]);
+        let search = FirstHit {
+            tree: self.tree,
+            instructions: self.instructions,
+            ray: &local.ray(ray, t),
+            before: (face != NO_FACE).then_some(Hit {
+                t,
+                face,
+                barycentric: [0.0; 2],
+            }),
+        };
+        if let Some(hit) = search.below(simd, &local.local_ray(simd, ray), child) {
+            best.t[ray] = hit.t;
+            best.faces[ray] = hit.face;
+        }
+    }
+}
+
+/// Which rays hit anything in a tree.
+pub struct OccludedRays<'a> {
+    pub tree: &'a TriangleTree,
+    pub instructions: Instructions,
+    pub rays: &'a Bundle<'a>,
+}
+
+impl Computation for OccludedRays<'_> {
+    type Output = u32;
+    #[inline(always)]
+    fn run<S: Simd>(self, simd: S) -> u32 {
+        if self.tree.nodes.is_empty() {
+            return 0;
+        }
+        let local = LocalBundle::new(&self.tree.frame, self.rays);
+        let (mut rest, mut occluded) = (local.mask, 0);
+        if let Some(beam) = self.tree.beam(simd, &local) {
+            occluded = self.together(simd, &beam);
+            rest &= !beam.mask;
+        }
+        while rest != 0 {
+            let ray = rest.trailing_zeros() as usize % BUNDLE;
+            rest &= rest - 1;
+            let is_occluded = self.alone(simd, &local, Child::node(0), ray);
+            occluded |= u32::from(is_occluded) << ray;
+        }
+        occluded
+    }
+}
+
+impl OccludedRays<'_> {
+    /// One bit for each ray that hits anything, where they go down the tree together.
+    #[inline(always)]
+    fn together<S: Simd>(&self, simd: S, beam: &Beam<'_>) -> u32 {
+        let tree = self.tree;
+        let mut t_max = *self.rays.range[1];
+        let limits = beam.limits();
+        let farthest = largest(simd, &limits);
+        let mut free = beam.mask;
+        let mut stack = Stack::with(VisitOfRays {
+            child: Child::node(0),
+            rays: beam.mask,
+        });
+        while free != 0
+            && let Some(VisitOfRays { child, rays }) = stack.pop(farthest)
+        {
+            let mut rays = rays & free;
+            if rays.count_ones() <= FEW {
+                while rays != 0 {
+                    let ray = rays.trailing_zeros() as usize % BUNDLE;
+                    rays &= rays - 1;
+                    let is_occluded = self.alone(simd, beam.local, child, ray);
+                    free &= !(u32::from(is_occluded) << ray);
+                }
+                continue;
+            }
+            match child.kind() {
+                Some(ChildKind::Node(node)) => {
+                    let node = &tree.nodes[node];
+                    let (found, near, visits) = beam.children(simd, node, rays, &limits, farthest);
+                    stack.push_sorted(found, &near, &visits);
+                }
+                Some(ChildKind::Leaf(leaf)) => {
+                    let block = &tree.leaves[leaf];
+                    for lane in 0..block.faces().count() {
+                        beam.intersect(simd, block, lane, rays & free, &mut t_max, |ray, _, _| {
+                            free &= !(1 << ray);
+                        });
+                    }
+                }
+                None => {}
+            }
+        }
+        beam.mask & !free
+    }
+
+    /// True if one ray hits anything below a child of a node.
+    #[inline(always)]
+    fn alone<S: Simd>(&self, simd: S, local: &LocalBundle, child: Child, ray: usize) -> bool {
+        let search = Occluded {
+            tree: self.tree,
+            instructions: self.instructions,
+            ray: &local.ray(ray, self.rays.range[1][ray]),
+        };
+        search.below(simd, &local.local_ray(simd, ray), child)
+    }
+}

@@ -1,0 +1,219 @@
+//! A bundle of rays in a tree's coordinates.
+
+use capwalk_math::Vec3;
+
+use super::bundle::{BUNDLE, Bundle};
+use super::ray_kernel::{LocalRay, Within, inverse_speed};
+use crate::local_frame::LocalFrame;
+use crate::ray::{ORIGIN_MARGIN, PLANE_MARGIN, Ray, RayShear};
+use crate::simd::Simd;
+
+/// A number of each ray.
+pub type Numbers = [f64; BUNDLE];
+/// The rays of a bundle, see [`LocalRay`]. Numbers of rays without a bit in the mask mean nothing.
+pub struct LocalBundle {
+    /// The rays in the world, with those that are asked for in the place of others.
+    pub origin: [Numbers; 3],
+    pub direction: [Numbers; 3],
+    pub range: [Numbers; 2],
+    /// Those that pass through the tree.
+    pub mask: u32,
+    /// True if no number of any ray is infinite or NaN, but for ends.
+    pub is_finite: bool,
+    /// Those that are fastest along each axis.
+    pub fastest: [u32; 3],
+    pub shears: [Numbers; 2],
+    pub inverse_z: Numbers,
+    /// Where they enter the tree, and distance per movement along each axis.
+    pub start: [Numbers; 3],
+    pub inverse: [Numbers; 3],
+    enter: Numbers,
+    exit: Numbers,
+    local_per_world: Numbers,
+    pub margin: Numbers,
+}
+
+impl LocalBundle {
+    /// The rays in the coordinates of a tree: [`LocalRay::new`] for all.
+    #[inline(always)]
+    pub fn new(frame: &LocalFrame, rays: &Bundle<'_>) -> Self {
+        let mut local = Self {
+            origin: *rays.origin,
+            direction: *rays.direction,
+            range: [*rays.range[0], *rays.range[1]],
+            mask: rays.mask,
+            is_finite: false,
+            fastest: [0; 3],
+            shears: [[0.0; BUNDLE]; 2],
+            inverse_z: [0.0; BUNDLE],
+            start: [[0.0; BUNDLE]; 3],
+            inverse: [[0.0; BUNDLE]; 3],
+            enter: [0.0; BUNDLE],
+            exit: [0.0; BUNDLE],
+            local_per_world: [0.0; BUNDLE],
+            margin: [0.0; BUNDLE],
+        };
+        local.fill();
+        let centre = frame.centre.to_array();
+        let [dx, dy, dz] = &local.direction;
+        let mut from = [[0.0; BUNDLE]; 3];
+        let mut speeds = [0.0; BUNDLE];
+        for (axis, from) in from.iter_mut().enumerate() {
+            for (ray, from) in from.iter_mut().enumerate() {
+                *from = (local.origin[axis][ray] - centre[axis]) * frame.inverse_scale;
+            }
+        }
+        // The axes of `RayShear`.
+        for ray in 0..BUNDLE {
+            let (x, y, z) = (dx[ray], dy[ray], dz[ray]);
+            let is_x = (x.abs() >= y.abs()) & (x.abs() >= z.abs());
+            let is_y = !is_x & (y.abs() >= z.abs());
+            let speed = select(is_x, x, select(is_y, y, z));
+            local.inverse_z[ray] = 1.0 / speed;
+            local.shears[0][ray] = select(is_x, y, select(is_y, z, x)) / speed;
+            local.shears[1][ray] = select(is_x, z, select(is_y, x, y)) / speed;
+            speeds[ray] = speed.abs();
+        }
+        let mut usable = 0;
+        for ray in 0..BUNDLE {
+            let (x, y, z) = (dx[ray].abs(), dy[ray].abs(), dz[ray].abs());
+            let is_x = (x >= y) & (x >= z);
+            let is_y = !is_x & (y >= z);
+            local.fastest[0] |= u32::from(is_x) << ray;
+            local.fastest[1] |= u32::from(is_y) << ray;
+            // NaN if any is.
+            let origin = from[0][ray].abs() + from[1][ray].abs() + from[2][ray].abs();
+            let all = origin + (x + y + z) + local.inverse_z[ray].abs();
+            usable |= u32::from(all < f64::INFINITY) << ray;
+        }
+        local.is_finite = usable & rays.mask == rays.mask;
+        local.fastest[2] = !(local.fastest[0] | local.fastest[1]);
+        for ray in 0..BUNDLE {
+            let farthest = larger(from[0][ray].abs(), from[1][ray].abs());
+            let farthest = larger(farthest, from[2][ray].abs());
+            local.margin[ray] = PLANE_MARGIN + ORIGIN_MARGIN * farthest;
+            local.local_per_world[ray] = frame.inverse_scale * speeds[ray];
+            local.enter[ray] = local.range[0][ray] * local.local_per_world[ray];
+            local.exit[ray] = local.range[1][ray] * local.local_per_world[ray];
+        }
+        // The parts of the rays within the tree.
+        for (axis, from) in from.iter().enumerate() {
+            for (ray, &from) in from.iter().enumerate() {
+                let inverse = inverse_speed(local.direction[axis][ray], speeds[ray]);
+                let side = (1.0 + local.margin[ray]).copysign(inverse);
+                let (first, last) = ((-side - from) * inverse, (side - from) * inverse);
+                local.enter[ray] = larger(local.enter[ray], first);
+                local.exit[ray] = smaller(local.exit[ray], last);
+                local.inverse[axis][ray] = inverse;
+            }
+        }
+        for (axis, from) in from.iter().enumerate() {
+            for (ray, &from) in from.iter().enumerate() {
+                let direction = local.direction[axis][ray] * local.inverse_z[ray].abs();
+                local.start[axis][ray] = from + direction * local.enter[ray];
+            }
+        }
+        let mut reached = 0;
+        for ray in 0..BUNDLE {
+            // False for NaN.
+            reached |= u32::from(local.enter[ray] <= local.exit[ray]) << ray;
+        }
+        local.mask &= usable & reached;
+        local
+    }
+
+    /// Puts one that is asked for in the place of each that is not.
+    #[inline(always)]
+    fn fill(&mut self) {
+        if self.mask == u32::MAX >> (32 - BUNDLE) {
+            return;
+        }
+        let first = self.mask.trailing_zeros() as usize % BUNDLE;
+        let mut is_asked = [0_u64; BUNDLE];
+        for (ray, is_asked) in is_asked.iter_mut().enumerate() {
+            *is_asked = u64::from(self.mask >> ray & 1);
+        }
+        let Self {
+            origin: [ox, oy, oz],
+            direction: [dx, dy, dz],
+            range: [near, far],
+            ..
+        } = self;
+        for numbers in [ox, oy, oz, dx, dy, dz, near, far] {
+            let of_first = numbers[first];
+            for ray in 0..BUNDLE {
+                numbers[ray] = select(is_asked[ray] != 0, numbers[ray], of_first);
+            }
+        }
+    }
+
+    /// A ray in the world, up to a distance.
+    #[inline(always)]
+    pub fn ray(&self, ray: usize, t_max: f64) -> Ray {
+        Ray {
+            origin: vector(&self.origin, ray),
+            direction: vector(&self.direction, ray),
+            t_min: self.range[0][ray],
+            t_max,
+        }
+    }
+
+    /// A ray in the tree's coordinates.
+    #[inline(always)]
+    pub fn local_ray<S: Simd>(&self, simd: S, ray: usize) -> LocalRay<S> {
+        let fastest = match [self.fastest[0], self.fastest[1]].map(|rays| rays >> ray & 1) {
+            [1, _] => 0,
+            [_, 1] => 1,
+            _ => 2,
+        };
+        let shear = RayShear {
+            axes: axes_to(fastest),
+            shear: [self.shears[0][ray], self.shears[1][ray]],
+            inverse_z: self.inverse_z[ray],
+        };
+        let within = Within {
+            start: vector(&self.start, ray),
+            inverse: vector(&self.inverse, ray),
+            ends: [self.enter[ray], self.exit[ray]],
+            local_per_world: self.local_per_world[ray],
+            margin: self.margin[ray],
+        };
+        LocalRay::within(simd, shear, vector(&self.origin, ray), &within)
+    }
+
+    /// [`LocalRay::limit`] of a ray.
+    #[inline(always)]
+    pub fn limit(&self, ray: usize, t: f64) -> f32 {
+        let end = smaller(self.exit[ray], t * self.local_per_world[ray]);
+        let limit = (end - self.enter[ray] + self.margin[ray]) as f32;
+        limit + limit.abs() * f32::EPSILON
+    }
+}
+
+/// The axes of [`RayShear`] of which the last is the given one.
+#[inline(always)]
+pub fn axes_to(fastest: usize) -> [usize; 3] {
+    [(fastest + 1) % 3, (fastest + 2) % 3, fastest]
+}
+
+#[inline(always)]
+fn vector(numbers: &[Numbers; 3], ray: usize) -> Vec3 {
+    Vec3::new(numbers[0][ray], numbers[1][ray], numbers[2][ray])
+}
+
+#[inline(always)]
+fn select(condition: bool, one: f64, other: f64) -> f64 {
+    if condition { one } else { other }
+}
+
+/// The larger number; the first if the second is NaN.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    select(b > a, b, a)
+}
+
+/// The smaller number; the first if the second is NaN.
+#[inline(always)]
+fn smaller(a: f64, b: f64) -> f64 {
+    select(b < a, b, a)
+}
