@@ -12,6 +12,17 @@ use crate::halt::Halt;
 
 /// Bins per axis. More find slightly better splits and cost building time.
 const BINS: usize = 16;
+/// Bins per axis where splits are to be fine, in ranges of at least so many primitives.
+const FINE_BINS: usize = 64;
+const FINE_MINIMUM: usize = 2048;
+
+/// How well large ranges are split.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Splits {
+    Coarse,
+    /// A tree that takes a little longer to build and is searched faster.
+    Fine,
+}
 
 /// Ranges with fewer primitives than this are not worth a task.
 const PARALLEL_MINIMUM: usize = 4096;
@@ -25,7 +36,7 @@ struct Primitive {
 
 /// A tree over primitives with the given boxes, at most `leaf_size` to a leaf; without any if the
 /// work is given up.
-pub fn build(bounds: &[Aabb], leaf_size: usize, halt: &Halt) -> Hierarchy {
+pub fn build(bounds: &[Aabb], leaf_size: usize, splits: Splits, halt: &Halt) -> Hierarchy {
     if bounds.is_empty() {
         return Hierarchy::default();
     }
@@ -41,7 +52,7 @@ pub fn build(bounds: &[Aabb], leaf_size: usize, halt: &Halt) -> Hierarchy {
         start: 0,
         depth: 0,
     };
-    split_recursively(whole, leaf_size, halt);
+    split_recursively(whole, leaf_size, splits, halt);
     if halt.now() {
         return Hierarchy::default();
     }
@@ -64,7 +75,7 @@ struct Range<'a> {
     depth: usize,
 }
 
-fn split_recursively(range: Range, leaf_size: usize, halt: &Halt) {
+fn split_recursively(range: Range, leaf_size: usize, splits: Splits, halt: &Halt) {
     let Range {
         primitives,
         nodes,
@@ -98,16 +109,15 @@ fn split_recursively(range: Range, leaf_size: usize, halt: &Halt) {
     }
     // Halving the rest all the way down must not exceed the depth limit.
     let depth_if_halved = depth + count.next_power_of_two().ilog2() as usize;
-    let split = if depth_if_halved < MAX_DEPTH {
-        best_split(primitives, &centres, leaf_size)
-    } else {
-        None
-    };
     // The primitives on the left of the split come first in the range.
-    let left = match split {
-        Some(split) => partition(primitives, |p| split.is_left(p)),
-        None => count / 2, // all centres equal, or too deep
+    let left = match depth_if_halved < MAX_DEPTH {
+        true if splits == Splits::Fine && count >= FINE_MINIMUM => {
+            split_best::<FINE_BINS>(primitives, &centres, leaf_size)
+        }
+        true => split_best::<BINS>(primitives, &centres, leaf_size),
+        false => None,
     };
+    let left = left.unwrap_or(count / 2); // all centres equal, or too deep
     nodes[0].left = left as u32;
     let (left_primitives, right_primitives) = primitives.split_at_mut(left);
     let (left_nodes, right_nodes) = nodes[1..].split_at_mut(2 * left - 1);
@@ -125,25 +135,36 @@ fn split_recursively(range: Range, leaf_size: usize, halt: &Halt) {
     };
     if count >= PARALLEL_MINIMUM {
         rayon::join(
-            || split_recursively(left_range, leaf_size, halt),
-            || split_recursively(right_range, leaf_size, halt),
+            || split_recursively(left_range, leaf_size, splits, halt),
+            || split_recursively(right_range, leaf_size, splits, halt),
         );
     } else {
-        split_recursively(left_range, leaf_size, halt);
-        split_recursively(right_range, leaf_size, halt);
+        split_recursively(left_range, leaf_size, splits, halt);
+        split_recursively(right_range, leaf_size, splits, halt);
     }
+}
+
+/// Splits a range where the surface-area cost is least; how many come first, or `None` if all
+/// centres fall in one bin on every axis.
+fn split_best<const BINS: usize>(
+    primitives: &mut [Primitive],
+    centres: &Aabb,
+    leaf_size: usize,
+) -> Option<usize> {
+    let split = best_split::<BINS>(primitives, centres, leaf_size)?;
+    Some(partition(primitives, |p| split.is_left(p)))
 }
 
 /// A plane between two bins.
 #[derive(Clone, Copy)]
-struct Split {
-    bins: Bins,
+struct Split<const BINS: usize> {
+    bins: Bins<BINS>,
     axis: usize,
     /// Bins up to this one, exclusive, are left.
     bin: usize,
 }
 
-impl Split {
+impl<const BINS: usize> Split<BINS> {
     #[inline]
     fn is_left(&self, primitive: &Primitive) -> bool {
         self.bins.index(primitive.bounds.centre2(), self.axis) < self.bin
@@ -152,12 +173,12 @@ impl Split {
 
 /// Equal intervals between the smallest and the largest centre on each axis.
 #[derive(Clone, Copy)]
-struct Bins {
+struct Bins<const BINS: usize> {
     low: [f32; 3],
     bins_per_length: [f32; 3],
 }
 
-impl Bins {
+impl<const BINS: usize> Bins<BINS> {
     fn new(centres: &Aabb) -> Self {
         let bins_per_length = centres.extent().map(|extent| {
             let scale = BINS as f32 / extent;
@@ -180,8 +201,12 @@ impl Bins {
 
 /// The split of least surface-area cost; `None` if all centres fall in one
 /// bin on every axis.
-fn best_split(primitives: &[Primitive], centres: &Aabb, leaf_size: usize) -> Option<Split> {
-    let bins = Bins::new(centres);
+fn best_split<const BINS: usize>(
+    primitives: &[Primitive],
+    centres: &Aabb,
+    leaf_size: usize,
+) -> Option<Split<BINS>> {
+    let bins = Bins::<BINS>::new(centres);
     // What falls into each bin of each axis: a box, and how many.
     let mut filled = [[(Aabb::EMPTY, 0_usize); BINS]; 3];
     for primitive in primitives {
@@ -194,7 +219,7 @@ fn best_split(primitives: &[Primitive], centres: &Aabb, leaf_size: usize) -> Opt
     }
     // A leaf costs the same however full it is, so counts are in leaves.
     let cost = |bounds: &Aabb, count: usize| bounds.half_area() * count.div_ceil(leaf_size) as f32;
-    let mut best: Option<(f32, Split)> = None;
+    let mut best: Option<(f32, Split<BINS>)> = None;
     for (axis, filled) in filled.iter().enumerate() {
         // From the right: the cost of everything from each bin on.
         let mut right_costs = [0.0; BINS];

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::ray_kernel::{LANES, RayNode, TriangleBlock};
 use super::ray_search::TriangleTree;
 use crate::aabb::Aabb;
-use crate::bvh::{Child, ChildKind, Hierarchy, WIDTH, build, child_bounds, child_leaves};
+use crate::bvh::{Child, ChildKind, Hierarchy, Splits, WIDTH, build, child_bounds, child_leaves};
 use crate::halt::Halt;
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
@@ -46,7 +46,7 @@ pub fn fine_tree(mesh: &Mesh, faces: &[u32], halt: &Halt) -> TriangleTree {
     let bounds: Vec<Aabb> = own
         .map(|&face| face_bounds(mesh, &frame, face as usize))
         .collect();
-    let mut hierarchy = build(&bounds, LANES, halt);
+    let mut hierarchy = build(&bounds, LANES, Splits::Fine, halt);
     let leaf_bounds: Vec<Aabb> = (0..hierarchy.leaf_count())
         .map(|leaf| {
             let own = hierarchy.leaf(leaf).iter();

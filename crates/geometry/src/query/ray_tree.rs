@@ -12,7 +12,7 @@ use super::fine_tree::{face_bounds, fine_tree, frame_of, has_unresolved};
 use super::ray_kernel::{self, RayNode, TriangleBlock};
 use super::ray_search::{FirstHit, Occluded, TriangleTree};
 use crate::aabb::Aabb;
-use crate::bvh::{Hierarchy, SurfaceCost, build, child_bounds};
+use crate::bvh::{Hierarchy, Splits, SurfaceCost, build, child_bounds};
 use crate::effort::{RAY, add_effort_of};
 use crate::halt::{Halt, Halted};
 use crate::mesh::Mesh;
@@ -52,7 +52,7 @@ impl RayTree {
             .with_min_len(1024)
             .map(|face| face_bounds(mesh, &frame, face))
             .collect();
-        let hierarchy = halt.unless_halted(build(&bounds, LEAF_SIZE, halt))?;
+        let hierarchy = halt.unless_halted(build(&bounds, LEAF_SIZE, Splits::Fine, halt))?;
         let mut tree = Self {
             hierarchy,
             flat: TriangleTree {
