@@ -3,7 +3,7 @@
 //! by operation.
 
 use super::bundle::BUNDLE;
-use super::local_bundle::{LocalBundle, Numbers, axes_to};
+use super::local_bundle::{LocalBundle, Numbers, Singles, axes_to};
 use super::ray_kernel::{RayNode, TriangleBlock};
 use crate::bvh::{VisitOfRays, WIDTH};
 use crate::ray::{EDGE_ON, PLANE_MARGIN};
@@ -12,9 +12,6 @@ use crate::simd::{F32x8, F64x4, Lanes, Simd};
 /// Numbers in a vector of single precision, and of double precision.
 const OF_F32: usize = 8;
 const OF_F64: usize = 4;
-
-/// A number of each ray in single precision.
-type Singles = [f32; BUNDLE];
 
 /// Rays of a bundle that go about the same way, and are fastest along the same axis.
 pub struct Beam<'a> {

@@ -3,13 +3,15 @@
 use capwalk_math::Vec3;
 
 use super::bundle::{BUNDLE, Bundle};
-use super::ray_kernel::{LocalRay, Within, inverse_speed};
+use super::ray_kernel::{LocalRay, Within, inverse_speed, slab};
 use crate::local_frame::LocalFrame;
 use crate::ray::{ORIGIN_MARGIN, PLANE_MARGIN, Ray, RayShear};
 use crate::simd::Simd;
 
 /// A number of each ray.
 pub type Numbers = [f64; BUNDLE];
+/// In single precision.
+pub type Singles = [f32; BUNDLE];
 /// The rays of a bundle, see [`LocalRay`]. Numbers of rays without a bit in the mask mean nothing.
 pub struct LocalBundle {
     /// The rays in the world, with those that are asked for in the place of others.
@@ -27,6 +29,8 @@ pub struct LocalBundle {
     /// Where they enter the tree, and distance per movement along each axis.
     pub start: [Numbers; 3],
     pub inverse: [Numbers; 3],
+    /// The numbers of [`slab`] for each axis.
+    slabs: [[Singles; 3]; 3],
     enter: Numbers,
     exit: Numbers,
     local_per_world: Numbers,
@@ -48,6 +52,7 @@ impl LocalBundle {
             inverse_z: [0.0; BUNDLE],
             start: [[0.0; BUNDLE]; 3],
             inverse: [[0.0; BUNDLE]; 3],
+            slabs: [[[0.0; BUNDLE]; 3]; 3],
             enter: [0.0; BUNDLE],
             exit: [0.0; BUNDLE],
             local_per_world: [0.0; BUNDLE],
@@ -112,6 +117,12 @@ impl LocalBundle {
                 let direction = local.direction[axis][ray] * local.inverse_z[ray].abs();
                 local.start[axis][ray] = from + direction * local.enter[ray];
             }
+            let [inverses, near, far] = &mut local.slabs[axis];
+            for ray in 0..BUNDLE {
+                let (start, inverse) = (local.start[axis][ray], local.inverse[axis][ray]);
+                let numbers = slab(start, inverse, local.margin[ray]);
+                (inverses[ray], near[ray], far[ray]) = (numbers[0], numbers[1], numbers[2]);
+            }
         }
         let mut reached = 0;
         for ray in 0..BUNDLE {
@@ -172,8 +183,11 @@ impl LocalBundle {
             inverse_z: self.inverse_z[ray],
         };
         let within = Within {
-            start: vector(&self.start, ray),
-            inverse: vector(&self.inverse, ray),
+            slabs: [
+                slab_of(&self.slabs[0], ray),
+                slab_of(&self.slabs[1], ray),
+                slab_of(&self.slabs[2], ray),
+            ],
             ends: [self.enter[ray], self.exit[ray]],
             local_per_world: self.local_per_world[ray],
             margin: self.margin[ray],
@@ -194,6 +208,11 @@ impl LocalBundle {
 #[inline(always)]
 pub fn axes_to(fastest: usize) -> [usize; 3] {
     [(fastest + 1) % 3, (fastest + 2) % 3, fastest]
+}
+
+#[inline(always)]
+fn slab_of([inverse, near, far]: &[Singles; 3], ray: usize) -> [f32; 3] {
+    [inverse[ray], near[ray], far[ray]]
 }
 
 #[inline(always)]

@@ -200,9 +200,13 @@ impl<S: Simd> LocalRay<S> {
         if !is_in_reach {
             return None;
         }
+        let start = origin + direction * enter;
         let within = Within {
-            start: origin + direction * enter,
-            inverse,
+            slabs: [
+                slab(start.x, inverse.x, margin),
+                slab(start.y, inverse.y, margin),
+                slab(start.z, inverse.z, margin),
+            ],
             ends: [enter, exit],
             local_per_world,
             margin,
@@ -214,15 +218,11 @@ impl<S: Simd> LocalRay<S> {
     #[inline(always)]
     pub fn within(simd: S, shear: RayShear, origin: Vec3, within: &Within) -> Self {
         let &Within {
-            start,
-            inverse,
+            slabs: [x, y, z],
             ends: [enter, exit],
             local_per_world,
             margin,
         } = within;
-        let x = Slab::new(simd, start.x, inverse.x, margin);
-        let y = Slab::new(simd, start.y, inverse.y, margin);
-        let z = Slab::new(simd, start.z, inverse.z, margin);
         let [i, j, k] = shear.axes;
         Self {
             origin: [
@@ -235,7 +235,7 @@ impl<S: Simd> LocalRay<S> {
                 simd.splat_f64(shear.shear[1]),
             ],
             shear,
-            slabs: [x, y, z],
+            slabs: [Slab::new(simd, x), Slab::new(simd, y), Slab::new(simd, z)],
             enter,
             exit,
             local_per_world,
@@ -280,10 +280,8 @@ impl<S: Simd> LocalRay<S> {
 
 /// The part of a ray in a tree, in the tree's coordinates.
 pub struct Within {
-    /// Where it enters.
-    pub start: Vec3,
-    /// Distance per movement along each axis.
-    pub inverse: Vec3,
+    /// What [`slab`] gives for each axis.
+    pub slabs: [[f32; 3]; 3],
     /// The distances at which it enters and leaves.
     pub ends: [f64; 2],
     pub local_per_world: f64,
@@ -299,6 +297,18 @@ pub fn inverse_speed(speed: f64, fastest: f64) -> f64 {
     (if is_slow { LARGEST } else { inverse }).copysign(speed)
 }
 
+/// The motion along one axis of a ray that starts in this place, with one over its speed: the
+/// numbers of [`Slab`].
+#[inline(always)]
+pub fn slab(start: f64, inverse: f64, margin: f64) -> [f32; 3] {
+    let (offset, margin) = (start * inverse, margin * inverse.abs());
+    [
+        inverse as f32,
+        (offset + margin) as f32,
+        (offset - margin) as f32,
+    ]
+}
+
 /// A ray's motion along one axis.
 struct Slab<S: Simd> {
     /// Distance per movement along the axis.
@@ -311,14 +321,13 @@ struct Slab<S: Simd> {
 }
 
 impl<S: Simd> Slab<S> {
-    /// For a ray that starts in this place, with one over its speed.
+    /// With the numbers of [`slab`].
     #[inline(always)]
-    fn new(simd: S, start: f64, inverse: f64, margin: f64) -> Self {
-        let (offset, margin) = (start * inverse, margin * inverse.abs());
+    fn new(simd: S, [inverse, near, far]: [f32; 3]) -> Self {
         Self {
-            inverse: simd.splat(inverse as f32),
-            offset_near: simd.splat((offset + margin) as f32),
-            offset_far: simd.splat((offset - margin) as f32),
+            inverse: simd.splat(inverse),
+            offset_near: simd.splat(near),
+            offset_far: simd.splat(far),
             is_reversed: inverse < 0.0,
         }
     }
