@@ -2,6 +2,7 @@
 
 pub mod delta;
 mod environment;
+mod guides;
 
 pub use environment::{ChosenCell, EnvironmentMap, EnvironmentTable, MapPlace};
 

@@ -9,6 +9,7 @@ use capwalk_math::elementary::{angle_of, floor, sin_cos};
 use capwalk_math::{Affine, Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
 
+use super::guides::Guides;
 use crate::texture::Texture;
 
 /// Where the texels of an environment map are.
@@ -147,6 +148,8 @@ pub struct EnvironmentTable {
     /// Sums of the cells' chances up to each row, then within each row.
     rows: Vec<f64>,
     cells: Vec<f64>,
+    row_guide: Guides,
+    cell_guides: Guides,
     /// Density per solid angle at each texel.
     densities: Vec<f64>,
 }
@@ -170,6 +173,8 @@ impl EnvironmentTable {
             cosines,
             rows: Vec::new(),
             cells: Vec::new(),
+            row_guide: Guides::default(),
+            cell_guides: Guides::default(),
             densities,
         };
         let (of_all, total) = table.with_sums();
@@ -214,6 +219,8 @@ impl EnvironmentTable {
             let densities = self.densities.iter_mut();
             densities.for_each(|density| *density /= total);
         }
+        self.row_guide = Guides::new(&self.rows, height - 1);
+        self.cell_guides = Guides::new(&self.cells, width);
         (self, total)
     }
 
@@ -251,9 +258,8 @@ impl EnvironmentTable {
     /// A cell, with numbers that say where in it.
     #[inline(always)]
     pub fn choose(&self, u: [f64; 2]) -> ChosenCell {
-        let width = self.map.width as usize;
-        let (row, down) = chosen_interval(&self.rows, u[1]);
-        let (column, along) = chosen_interval(&self.cells[row * width..(row + 1) * width], u[0]);
+        let (row, down) = self.row_guide.choose(&self.rows, 0, u[1]);
+        let (column, along) = self.cell_guides.choose(&self.cells, row, u[0]);
         ChosenCell {
             column: column as f64,
             cosines: [self.cosines[row], self.cosines[row + 1]],
@@ -317,22 +323,6 @@ pub struct ChosenCell {
     densities: [[f64; 2]; 2],
     /// Numbers that say where in it.
     u: [f64; 2],
-}
-
-/// The first interval that ends beyond the share `u` of the whole, and the fraction of it that is
-/// before. Those of length zero are never chosen.
-#[inline(always)]
-fn chosen_interval(sums: &[f64], u: f64) -> (usize, f64) {
-    let total = sums[sums.len() - 1];
-    let target = u * total;
-    let mut chosen = sums.partition_point(|&sum| sum <= target);
-    // Rounding may lead to the end.
-    if chosen == sums.len() {
-        chosen = sums.partition_point(|&sum| sum < total);
-    }
-    let below = if chosen == 0 { 0.0 } else { sums[chosen - 1] };
-    let through = (target - below) / (sums[chosen] - below);
-    (chosen, through.clamp(0.0, 1.0))
 }
 
 /// A number from 0 to 1, drawn from a density that is proportional to `start` at 0, to `end` at 1,
