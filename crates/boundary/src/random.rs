@@ -51,6 +51,7 @@ impl Sampler {
     }
 
     /// The numbers of one sample of one pixel.
+    #[inline]
     pub fn stream(&self, pixel: u64, sample: u32) -> Stream {
         let pixel_key = mix(self.seed ^ mix(pixel.wrapping_add(GOLDEN)));
         let hashed = mix(pixel_key ^ u64::from(sample).wrapping_mul(GOLDEN));

@@ -32,6 +32,13 @@ impl EmitterChoice {
         }
     }
 
+    /// Makes `count` emitters alike; writes less than a new choice would.
+    #[inline]
+    pub fn make_alike(&mut self, count: usize) {
+        self.count = count;
+        self.probabilities = None;
+    }
+
     /// A choice among `count` emitters by how much they seem to light the point. `emitter` gives
     /// them by their numbers, and `samplers` are those of all emitters of the scene.
     pub fn by_light(

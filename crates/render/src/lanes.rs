@@ -235,7 +235,7 @@ impl<'a> LaneTracer<'a> {
         let mut weights = [0.0; LANES];
         for (lane, place) in places.iter().enumerate() {
             let support = self.supports.pixel(place.pixel);
-            let s = support.sample(0.0, 0.0, film.map(|numbers| numbers[lane]));
+            let s = support.sample(0.0, 0.0, [film[0][lane], film[1][lane]]);
             (film[0][lane], film[1][lane]) = (s[0], s[1]);
             weights[lane] = support.weight_over_pdf(s);
         }
@@ -286,7 +286,7 @@ impl<'a> LaneTracer<'a> {
         for lane in lanes_of(mask) {
             let lens = uniform_disk([0, 1].map(|i| paths.streams.number(lane, LENS + i)));
             let view = View::new(&scene.sensor, &scene.film, &scene.sensor.state(), lens);
-            let ray = view.ray(view.direction(film.map(|numbers| numbers[lane])));
+            let ray = view.ray(view.direction([film[0][lane], film[1][lane]]));
             paths.vertices.origin.set(lane, ray.origin);
             paths.vertices.direction.set(lane, ray.direction);
             (range[0][lane], range[1][lane]) = (ray.range[0], ray.range[1]);

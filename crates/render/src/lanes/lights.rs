@@ -134,14 +134,16 @@ impl<'a> LaneLights<'a> {
         let count = self.samplers.len();
         for lane in lanes_of(lanes) {
             let is_alike = count == 1 || self.sampling.alike || on_emitters >> lane & 1 == 0;
-            choices.choices[lane] = match is_alike {
-                true => EmitterChoice::alike(count),
+            let choice = &mut choices.choices[lane];
+            match is_alike {
+                true => choice.make_alike(count),
                 false => {
                     let receiver = lobes.receiver(vertices, lane);
                     let id = |i| EmitterId(i as u32);
-                    EmitterChoice::by_light(self.accel, self.samplers, &receiver, count, id)
+                    *choice =
+                        EmitterChoice::by_light(self.accel, self.samplers, &receiver, count, id);
                 }
-            };
+            }
         }
     }
 
@@ -157,34 +159,21 @@ impl<'a> LaneLights<'a> {
         lit: &mut Lit,
     ) {
         (lit.mask, lit.of_delta) = (0, 0);
-        let (mut rectangles, mut skies) = (0, 0);
-        let choice = match self.samplers.len() {
-            0 | 1 => [0.0; LANES],
-            _ => streams.numbers(first, lanes),
+        let [rectangles, skies] = match &self.kinds[..] {
+            // There is nothing to choose.
+            [
+                Kind {
+                    rectangle: Some(rectangle),
+                    ..
+                },
+            ] => {
+                choices.rectangles.fill(&rectangle.rectangle);
+                lit.emitters = [EmitterId(0); LANES];
+                lit.inverse_density = [1.0 / f64::from(self.sampling.emitter_samples); LANES];
+                [lanes, 0]
+            }
+            _ => self.choose_and_draw(choices, (vertices, lobes), streams, first, lanes, lit),
         };
-        for lane in lanes_of(lanes) {
-            let Some((chosen, probability)) = choices.choices[lane].choose(choice[lane]) else {
-                continue;
-            };
-            let kind = &self.kinds[chosen];
-            lit.emitters[lane] = EmitterId(chosen as u32);
-            let times = f64::from(self.sampling.emitter_samples) * probability;
-            if let Some(rectangle) = kind.rectangle {
-                choices.rectangles.set(lane, &rectangle.rectangle);
-                rectangles |= 1 << lane;
-                // Times the solid angle, which is not known yet.
-                lit.inverse_density[lane] = 1.0 / times;
-                continue;
-            }
-            if kind.is_sky {
-                skies |= 1 << lane;
-                lit.inverse_density[lane] = 1.0 / times;
-                continue;
-            }
-            let u = [1, 2].map(|i| streams.number(lane, first + i));
-            let receiver = lobes.receiver(vertices, lane);
-            self.draw_one(chosen, &receiver, u, times, lane, lit);
-        }
         if rectangles != 0 {
             instructions.run(SampleRectangles {
                 rectangles: &choices.rectangles,
@@ -206,6 +195,48 @@ impl<'a> LaneLights<'a> {
                 lit,
             });
         }
+    }
+
+    /// Chooses emitters, and draws directions towards those that are neither rectangles nor the
+    /// environment map; one bit for each that is one, and for each that is the other. Their inverse
+    /// densities lack the solid angle, or the density of directions, which are not known yet.
+    fn choose_and_draw(
+        &self,
+        choices: &mut LaneChoices,
+        (vertices, lobes): (&Vertices, &LaneLobes<'_>),
+        streams: &Streams<LANES>,
+        first: u32,
+        lanes: u32,
+        lit: &mut Lit,
+    ) -> [u32; 2] {
+        let (mut rectangles, mut skies) = (0, 0);
+        let choice = match self.samplers.len() {
+            0 | 1 => [0.0; LANES],
+            _ => streams.numbers(first, lanes),
+        };
+        for lane in lanes_of(lanes) {
+            let Some((chosen, probability)) = choices.choices[lane].choose(choice[lane]) else {
+                continue;
+            };
+            let kind = &self.kinds[chosen];
+            lit.emitters[lane] = EmitterId(chosen as u32);
+            let times = f64::from(self.sampling.emitter_samples) * probability;
+            if let Some(rectangle) = kind.rectangle {
+                choices.rectangles.set(lane, &rectangle.rectangle);
+                rectangles |= 1 << lane;
+                lit.inverse_density[lane] = 1.0 / times;
+                continue;
+            }
+            if kind.is_sky {
+                skies |= 1 << lane;
+                lit.inverse_density[lane] = 1.0 / times;
+                continue;
+            }
+            let u = [1, 2].map(|i| streams.number(lane, first + i));
+            let receiver = lobes.receiver(vertices, lane);
+            self.draw_one(chosen, &receiver, u, times, lane, lit);
+        }
+        [rectangles, skies]
     }
 
     /// Draws a direction towards an emitter that is neither a rectangle nor an environment map.
@@ -234,6 +265,16 @@ impl<'a> LaneLights<'a> {
 
     /// Finds what some lanes receive from the emitters towards which directions were drawn.
     pub fn shine(&self, vertices: &Vertices, lanes: u32, lit: &mut Lit) {
+        if let [
+            Kind {
+                radiance: Some(radiance),
+                ..
+            },
+        ] = &self.kinds[..]
+        {
+            lit.radiance = Vectors::splat(radiance.to_array());
+            return;
+        }
         for lane in lanes_of(lanes) {
             let emitter = lit.emitters[lane];
             let kind = &self.kinds[emitter.0 as usize];
@@ -441,6 +482,14 @@ impl Rectangles {
         normal: Vectors::UP,
         lengths: [[1.0; LANES]; 2],
     };
+
+    /// The same in all lanes.
+    fn fill(&mut self, rectangle: &Rectangle) {
+        self.corner = Vectors::splat(rectangle.corner.to_array());
+        self.normal = Vectors::splat(rectangle.normal.to_array());
+        self.sides = rectangle.sides.map(|side| Vectors::splat(side.to_array()));
+        self.lengths = rectangle.lengths.map(|length| [length; LANES]);
+    }
 
     #[inline]
     fn set(&mut self, lane: usize, rectangle: &Rectangle) {

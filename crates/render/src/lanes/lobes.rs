@@ -280,7 +280,7 @@ impl<'a> LaneLobes<'a> {
             });
         }
         let others = mask_of(lanes & !self.rough_lanes, |lane| {
-            let (wi, u) = (self.frames.wi.get(lane), u.map(|numbers| numbers[lane]));
+            let (wi, u) = (self.frames.wi.get(lane), [u[0][lane], u[1][lane]]);
             let lobes = self.surfaces.get(lane);
             let drawn = lobes.and_then(|lobes| lobes.bsdf.draw(wi, choice[lane], u));
             drawn.is_some_and(|BsdfDirection { wo, specular }| {
