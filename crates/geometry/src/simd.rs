@@ -1,4 +1,4 @@
-//! Short vectors of numbers, computed eight or four at a time.
+//! Short vectors of numbers, computed sixteen, eight or four at a time.
 //!
 //! Node and leaf tests are written once, generic over [`Simd`], and compiled
 //! for each instruction set (`simd/scalar.rs` and `simd/avx2.rs`). Which
@@ -12,8 +12,9 @@
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 mod instructions;
+mod pair;
 mod scalar;
 mod vectors;
 
 pub use instructions::Instructions;
-pub use vectors::{Computation, ESTIMATE_ERROR, F32x8, F64x4, Lanes, Simd};
+pub use vectors::{Computation, ESTIMATE_ERROR, F32x8, F32x16, F64x4, Lanes, Simd};

@@ -7,10 +7,9 @@ use super::local_bundle::{LocalBundle, Numbers, Singles, axes_to};
 use super::ray_kernel::{RayNode, TriangleBlock};
 use crate::bvh::{VisitOfRays, WIDTH};
 use crate::ray::{EDGE_ON, PLANE_MARGIN};
-use crate::simd::{F32x8, F64x4, Lanes, Simd};
+use crate::simd::{F32x8, F32x16, F64x4, Lanes, Simd};
 
-/// Numbers in a vector of single precision, and of double precision.
-const OF_F32: usize = 8;
+/// Numbers in a vector of double precision.
 const OF_F64: usize = 4;
 
 /// Rays of a bundle that go about the same way, and are fastest along the same axis.
@@ -131,22 +130,17 @@ impl<'a> Beam<'a> {
         half: [f32; 3],
         limits: &Singles,
     ) -> u32 {
-        let mut entering = 0;
-        for part in 0..BUNDLE / OF_F32 {
-            let mut near = simd.splat(0.0);
-            let mut far = simd.load(part_of(limits, part));
-            for axis in 0..3 {
-                let slab = &self.slabs[axis];
-                let inverse = simd.load(part_of(&slab.inverse, part));
-                let offset = simd.load(part_of(&slab.offset, part));
-                let middle = simd.splat(centre[axis]).mul_sub(inverse, offset);
-                let reach = simd.splat(half[axis]) * inverse.abs();
-                near = near.max(middle - reach);
-                far = far.min(middle + reach);
-            }
-            entering |= near.le(far) << (OF_F32 * part);
+        let (mut near, mut far) = (simd.splat_16(0.0), simd.load_16(limits));
+        for axis in 0..3 {
+            let slab = &self.slabs[axis];
+            let inverse = simd.load_16(&slab.inverse);
+            let offset = simd.load_16(&slab.offset);
+            let middle = simd.splat_16(centre[axis]).mul_sub(inverse, offset);
+            let reach = simd.splat_16(half[axis]) * inverse.abs();
+            near = near.max(middle - reach);
+            far = far.min(middle + reach);
         }
-        entering
+        near.le(far)
     }
 
     /// Calls `found` with each of some rays that hits a triangle of a block no farther than at its
@@ -274,11 +268,8 @@ impl SlabOfRays {
 /// The smallest and the largest of the numbers.
 #[inline(always)]
 fn ends_of<S: Simd>(simd: S, numbers: &Singles) -> [f32; 2] {
-    let [low, high] = [
-        simd.load(part_of(numbers, 0)),
-        simd.load(part_of(numbers, 1)),
-    ];
-    [low.min(high).smallest(), low.max(high).largest()]
+    let numbers = simd.load_16(numbers);
+    [numbers.smallest(), numbers.largest()]
 }
 
 /// The largest of the numbers.
@@ -298,6 +289,6 @@ fn singles(numbers: &Numbers) -> Singles {
 
 /// A vector of numbers of a bundle.
 #[inline(always)]
-fn part_of<T, const N: usize>(numbers: &[T; BUNDLE], part: usize) -> &[T; N] {
+fn part_of(numbers: &Numbers, part: usize) -> &[f64; OF_F64] {
     &numbers.as_chunks().0[part]
 }

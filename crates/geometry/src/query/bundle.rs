@@ -6,8 +6,7 @@ pub const BUNDLE: usize = 16;
 /// No face.
 pub(super) const NO_FACE: u32 = u32::MAX;
 
-/// Sixteen rays, whose answers are those of single ones. Those without a bit in the mask are not
-/// asked for.
+/// Sixteen rays. Those without a bit in the mask are not asked for.
 #[derive(Clone, Copy, Debug)]
 pub struct Bundle<'a> {
     /// World-space origins, coordinate by coordinate.

@@ -10,7 +10,7 @@ use super::local_packet::LocalPacket;
 use super::packet_precision::{IN_PLANE, MOST_OUT};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
-use crate::simd::{F32x8, Lanes, Simd};
+use crate::simd::{F32x16, Lanes, Simd};
 
 /// The fourth corner of a parallelogram is off by less than this part of [`IN_PLANE`].
 const OFF_CORNER: f64 = 1e-3;
@@ -34,10 +34,10 @@ pub struct PacketFace {
 /// The planes in which rays meet faces.
 pub struct Met<S: Simd> {
     /// Distances along the rays.
-    pub distance: S::F32x8,
+    pub distance: S::F32x16,
     /// The heights above the plane at which they start, and by how much they rise.
-    pub height: S::F32x8,
-    pub rise: S::F32x8,
+    pub height: S::F32x16,
+    pub rise: S::F32x16,
     /// One bit for each that meets the plane and does not start in it.
     pub mask: u32,
 }
@@ -126,13 +126,13 @@ impl PacketFace {
     pub fn plane<S: Simd>(&self, simd: S, rays: &LocalPacket<S>) -> Met<S> {
         let height = value(simd, &self.height, rays.origin);
         let rise = growth(simd, &self.height, rays.direction);
-        let zero = simd.splat(0.0);
+        let zero = simd.splat_16(0.0);
         let distance = (zero - height) / rise;
         Met {
             distance,
             height,
             rise,
-            mask: simd.splat(IN_PLANE).lt(height.abs()) & zero.lt(distance),
+            mask: simd.splat_16(IN_PLANE).lt(height.abs()) & zero.lt(distance),
         }
     }
 
@@ -143,21 +143,24 @@ impl PacketFace {
         &self,
         simd: S,
         rays: &LocalPacket<S>,
-        distance: S::F32x8,
-    ) -> (S::F32x8, u32) {
+        distance: S::F32x16,
+    ) -> (S::F32x16, u32) {
         let place = rays.at(distance);
         let second = value(simd, &self.second, place);
         let third = value(simd, &self.third, place);
-        let zero = simd.splat(0.0);
+        let zero = simd.splat_16(0.0);
         let positive = zero.le(second) & zero.le(third);
-        let is_first = (second + third).le(simd.splat(self.most));
-        let face = simd.splat(self.face);
+        let is_first = (second + third).le(simd.splat_16(self.most));
+        let face = simd.splat_16(self.face);
         match self.beyond {
             None => (face, positive & is_first),
             Some(beyond) => {
-                let [second_most, third_most] = beyond.most.map(|most| simd.splat(most));
+                let [second_most, third_most] = beyond.most.map(|most| simd.splat_16(most));
                 let is_inside = positive & second.le(second_most) & third.le(third_most);
-                (simd.splat(beyond.face).replaced(is_first, face), is_inside)
+                (
+                    simd.splat_16(beyond.face).replaced(is_first, face),
+                    is_inside,
+                )
             }
         }
     }
@@ -188,15 +191,15 @@ fn parallelogram(one: [Vec3; 3], other: [Vec3; 3]) -> Option<[Vec3; 3]> {
 
 /// A linear function at points.
 #[inline(always)]
-fn value<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x8; 3]) -> S::F32x8 {
-    let [fx, fy, fz, constant] = [0, 1, 2, 3].map(|i| simd.splat(function[i]));
+fn value<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x16; 3]) -> S::F32x16 {
+    let [fx, fy, fz, constant] = [0, 1, 2, 3].map(|i| simd.splat_16(function[i]));
     fx.fused(x, fy.fused(y, fz.fused(z, constant)))
 }
 
 /// How it grows along vectors.
 #[inline(always)]
-fn growth<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x8; 3]) -> S::F32x8 {
-    let [fx, fy, fz] = [0, 1, 2].map(|i| simd.splat(function[i]));
+fn growth<S: Simd>(simd: S, function: &[f32; 4], [x, y, z]: [S::F32x16; 3]) -> S::F32x16 {
+    let [fx, fy, fz] = [0, 1, 2].map(|i| simd.splat_16(function[i]));
     fx.fused(x, fy.fused(y, fz * z))
 }
 

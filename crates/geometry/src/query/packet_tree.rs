@@ -1,4 +1,4 @@
-//! Eight rays at a time against triangles, in single precision.
+//! Bundles of rays against triangles, in single precision.
 //!
 //! In the tree's own coordinates, which are at most 1, a triangle is three linear functions of a
 //! point: the height above its plane, and the weights of its second and third corner; so are two
@@ -13,8 +13,8 @@
 
 use capwalk_math::Vec3;
 
+use super::bundle::{BUNDLE, Bundle};
 use super::local_packet::{LocalPacket, Slabs};
-use super::packet::{Packet, RAYS};
 use super::packet_face::PacketFace;
 use super::packet_precision::{IN_PLANE, MOST_OUT};
 use super::ray_kernel::RayNode;
@@ -22,7 +22,7 @@ use super::ray_tree::RayTree;
 use crate::bvh::{Child, ChildKind, Stack};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
-use crate::simd::{Computation, F32x8, Instructions, Lanes, Simd};
+use crate::simd::{Computation, F32x16, Instructions, Lanes, Simd};
 
 /// How many times [`IN_PLANE`] the altitudes of triangles must be.
 const LEAST_ALTITUDE: f64 = 1000.0;
@@ -145,14 +145,14 @@ impl PacketTree {
         f64::from(IN_PLANE) * self.frame.scale
     }
 
-    /// The nearest face that each ray meets, in those it is asked for; `u32::MAX` is none. Of
+    /// The nearest face that each ray meets, of those that are asked for; `u32::MAX` is none. Of
     /// equally near ones the lowest.
-    pub fn first_hits(&self, packet: &Packet<'_>) -> [u32; RAYS] {
+    pub fn first_hits(&self, packet: &Bundle<'_>) -> [u32; BUNDLE] {
         self.instructions.run(FirstHits { tree: self, packet })
     }
 
     /// One bit for each ray that meets something.
-    pub fn occluded(&self, packet: &Packet<'_>) -> u32 {
+    pub fn occluded(&self, packet: &Bundle<'_>) -> u32 {
         self.instructions.run(Occluded { tree: self, packet })
     }
 
@@ -186,9 +186,9 @@ impl PacketTree {
 
 /// The nearest faces so far.
 struct Nearest<S: Simd> {
-    distance: S::F32x8,
+    distance: S::F32x16,
     /// Their numbers; infinite where there is none.
-    face: S::F32x8,
+    face: S::F32x16,
 }
 
 impl<S: Simd> Nearest<S> {
@@ -210,18 +210,18 @@ impl<S: Simd> Nearest<S> {
 
 struct FirstHits<'a> {
     tree: &'a PacketTree,
-    packet: &'a Packet<'a>,
+    packet: &'a Bundle<'a>,
 }
 
 impl Computation for FirstHits<'_> {
-    type Output = [u32; RAYS];
+    type Output = [u32; BUNDLE];
     #[inline(always)]
-    fn run<S: Simd>(self, simd: S) -> [u32; RAYS] {
+    fn run<S: Simd>(self, simd: S) -> [u32; BUNDLE] {
         let tree = self.tree;
         let rays = LocalPacket::new(simd, &tree.frame, self.packet);
         let mut nearest = Nearest {
             distance: rays.end,
-            face: simd.splat(f32::INFINITY),
+            face: simd.splat_16(f32::INFINITY),
         };
         if tree.nodes.is_empty() {
             for face in &tree.faces {
@@ -257,7 +257,7 @@ impl Computation for FirstHits<'_> {
 /// Rays that met nothing so far.
 struct Unhidden<S: Simd> {
     /// Where they end; negative for those that met something.
-    end: S::F32x8,
+    end: S::F32x16,
     mask: u32,
 }
 
@@ -271,18 +271,18 @@ impl<S: Simd> Unhidden<S> {
             return;
         }
         let at_end = met.rise.fused(self.end, met.height);
-        let ends_off = simd.splat(IN_PLANE).lt(at_end.abs());
+        let ends_off = simd.splat_16(IN_PLANE).lt(at_end.abs());
         let hit = is_before & ends_off & face.at(simd, rays, met.distance).1;
         if hit != 0 {
             self.mask &= !hit;
-            self.end = self.end.replaced(hit, simd.splat(-1.0));
+            self.end = self.end.replaced(hit, simd.splat_16(-1.0));
         }
     }
 }
 
 struct Occluded<'a> {
     tree: &'a PacketTree,
-    packet: &'a Packet<'a>,
+    packet: &'a Bundle<'a>,
 }
 
 impl Computation for Occluded<'_> {
@@ -291,7 +291,7 @@ impl Computation for Occluded<'_> {
     fn run<S: Simd>(self, simd: S) -> u32 {
         let tree = self.tree;
         let rays = LocalPacket::new(simd, &tree.frame, self.packet);
-        let asked = simd.splat(0.0).le(rays.end);
+        let asked = simd.splat_16(0.0).le(rays.end);
         let mut unhidden = Unhidden {
             end: rays.end,
             mask: asked,

@@ -1,8 +1,8 @@
 //! AVX2 with fused multiply-add: the one file that allows `unsafe`.
 //!
 //! The same code is compiled for AVX-512 as well, and runs where the CPU has it: with
-//! twice as many registers, and with longer ones for loops that the compiler makes vectors of.
-//! Results are bitwise the same.
+//! twice as many registers, and with longer ones for [`F32x16`] and for loops that the compiler
+//! makes vectors of. Results are bitwise the same.
 //!
 //! The intrinsics are safe to execute exactly if the CPU has them. That
 //! is proved by the token [`Avx2`]: only [`Avx2::detect`] makes one, and every
@@ -12,7 +12,8 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, Div, Mul, Sub};
 
-use super::vectors::{Computation, F32x8, F64x4, Lanes, Simd};
+use super::pair::Pair;
+use super::vectors::{Computation, F32x8, F32x16, F64x4, Lanes, Simd};
 
 /// Proof that the CPU has AVX2 and fused multiply-add.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,7 +49,7 @@ impl Avx2 {
         }
         #[target_feature(enable = "avx2,fma,avx512f,avx512vl,avx512dq,avx512bw")]
         fn compiled_wide<J: Computation>(avx2: Avx2, job: J) -> J::Output {
-            job.run(avx2)
+            job.run(Avx512(avx2))
         }
         // SAFETY: `self` proves that the CPU has the features.
         unsafe {
@@ -59,6 +60,10 @@ impl Avx2 {
         }
     }
 }
+
+/// Proof that the CPU has AVX-512, which [`Avx2::run`] makes where that is so.
+#[derive(Clone, Copy, Debug)]
+struct Avx512(Avx2);
 
 /// Bytes that are fetched together.
 const CACHE_LINE: usize = 64;
@@ -71,9 +76,14 @@ pub struct F32x8Avx2(__m256);
 #[derive(Clone, Copy)]
 pub struct F64x4Avx2(__m256d);
 
+/// Sixteen single-precision numbers in a register.
+#[derive(Clone, Copy)]
+struct F32x16Avx512(__m512);
+
 impl Simd for Avx2 {
     type F32x8 = F32x8Avx2;
     type F64x4 = F64x4Avx2;
+    type F32x16 = Pair<F32x8Avx2>;
     #[inline(always)]
     fn splat(self, v: f32) -> F32x8Avx2 {
         // SAFETY: `self` proves the feature.
@@ -122,6 +132,59 @@ impl Simd for Avx2 {
             unsafe { _mm_prefetch::<_MM_HINT_T0>(start.wrapping_add(offset)) };
         }
     }
+    #[inline(always)]
+    fn splat_16(self, v: f32) -> Pair<F32x8Avx2> {
+        Pair::splat(self, v)
+    }
+    #[inline(always)]
+    fn load_16(self, v: &[f32; 16]) -> Pair<F32x8Avx2> {
+        Pair::load(self, v)
+    }
+}
+
+impl Simd for Avx512 {
+    type F32x8 = F32x8Avx2;
+    type F64x4 = F64x4Avx2;
+    type F32x16 = F32x16Avx512;
+    #[inline(always)]
+    fn splat(self, v: f32) -> F32x8Avx2 {
+        self.0.splat(v)
+    }
+    #[inline(always)]
+    fn load(self, v: &[f32; 8]) -> F32x8Avx2 {
+        self.0.load(v)
+    }
+    #[inline(always)]
+    fn load_i16(self, v: &[i16; 8]) -> F32x8Avx2 {
+        self.0.load_i16(v)
+    }
+    #[inline(always)]
+    fn load_i8(self, v: &[i8; 8]) -> F32x8Avx2 {
+        self.0.load_i8(v)
+    }
+    #[inline(always)]
+    fn splat_f64(self, v: f64) -> F64x4Avx2 {
+        self.0.splat_f64(v)
+    }
+    #[inline(always)]
+    fn load_f64(self, v: &[f64; 4]) -> F64x4Avx2 {
+        self.0.load_f64(v)
+    }
+    #[inline(always)]
+    fn prefetch<T>(self, value: &T) {
+        self.0.prefetch(value);
+    }
+    #[inline(always)]
+    fn splat_16(self, v: f32) -> F32x16Avx512 {
+        // SAFETY: `self` proves the feature.
+        F32x16Avx512(unsafe { _mm512_set1_ps(v) })
+    }
+    #[inline(always)]
+    fn load_16(self, v: &[f32; 16]) -> F32x16Avx512 {
+        // SAFETY: `self` proves the feature; 64 bytes are readable at `v`, and
+        // the load needs no alignment.
+        F32x16Avx512(unsafe { _mm512_loadu_ps(v.as_ptr()) })
+    }
 }
 
 /// One operator of a vector type as one intrinsic.
@@ -143,6 +206,10 @@ operator!(F32x8Avx2, Add, add, _mm256_add_ps);
 operator!(F32x8Avx2, Sub, sub, _mm256_sub_ps);
 operator!(F32x8Avx2, Mul, mul, _mm256_mul_ps);
 operator!(F32x8Avx2, Div, div, _mm256_div_ps);
+operator!(F32x16Avx512, Add, add, _mm512_add_ps);
+operator!(F32x16Avx512, Sub, sub, _mm512_sub_ps);
+operator!(F32x16Avx512, Mul, mul, _mm512_mul_ps);
+operator!(F32x16Avx512, Div, div, _mm512_div_ps);
 operator!(F64x4Avx2, Add, add, _mm256_add_pd);
 operator!(F64x4Avx2, Sub, sub, _mm256_sub_pd);
 operator!(F64x4Avx2, Mul, mul, _mm256_mul_pd);
@@ -280,6 +347,77 @@ impl F64x4 for F64x4Avx2 {
         // SAFETY: the vector was made from a token, which proves the feature;
         // 32 bytes are writable, without alignment.
         unsafe { _mm256_storeu_pd(array.as_mut_ptr(), self.0) };
+        array
+    }
+}
+
+impl Lanes for F32x16Avx512 {
+    #[inline(always)]
+    fn min(self, b: Self) -> Self {
+        // SAFETY: the vectors were made from a token, which proves the feature.
+        Self(unsafe { _mm512_min_ps(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn max(self, b: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm512_max_ps(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm512_abs_ps(self.0) })
+    }
+    #[inline(always)]
+    fn le(self, b: Self) -> u32 {
+        // SAFETY: as above.
+        u32::from(unsafe { _mm512_cmp_ps_mask::<_CMP_LE_OQ>(self.0, b.0) })
+    }
+    #[inline(always)]
+    fn lt(self, b: Self) -> u32 {
+        // SAFETY: as above.
+        u32::from(unsafe { _mm512_cmp_ps_mask::<_CMP_LT_OQ>(self.0, b.0) })
+    }
+}
+
+impl F32x16 for F32x16Avx512 {
+    #[inline(always)]
+    fn fused(self, b: Self, c: Self) -> Self {
+        // SAFETY: the vectors were made from a token, which proves the feature.
+        Self(unsafe { _mm512_fmadd_ps(self.0, b.0, c.0) })
+    }
+    #[inline(always)]
+    fn mul_sub(self, b: Self, c: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm512_fmsub_ps(self.0, b.0, c.0) })
+    }
+    #[inline(always)]
+    fn replaced(self, mask: u32, other: Self) -> Self {
+        // SAFETY: as above.
+        Self(unsafe { _mm512_mask_blend_ps(mask as u16, self.0, other.0) })
+    }
+    #[inline(always)]
+    fn select_by_sign(self, negative: Self, other: Self) -> Self {
+        // SAFETY: as above.
+        unsafe {
+            let is_negative = _mm512_movepi32_mask(_mm512_castps_si512(self.0));
+            Self(_mm512_mask_blend_ps(is_negative, other.0, negative.0))
+        }
+    }
+    #[inline(always)]
+    fn smallest(self) -> f32 {
+        // SAFETY: as above.
+        unsafe { _mm512_reduce_min_ps(self.0) }
+    }
+    #[inline(always)]
+    fn largest(self) -> f32 {
+        // SAFETY: as above.
+        unsafe { _mm512_reduce_max_ps(self.0) }
+    }
+    #[inline(always)]
+    fn to_array(self) -> [f32; 16] {
+        let mut array = [0.0; 16];
+        // SAFETY: as above; 64 bytes are writable, without alignment.
+        unsafe { _mm512_storeu_ps(array.as_mut_ptr(), self.0) };
         array
     }
 }

@@ -2,6 +2,7 @@
 
 use std::ops::{Add, Div, Mul, Sub};
 
+use super::pair::Pair;
 use super::vectors::{F32x8, F64x4, Lanes, Simd};
 
 /// The instruction set that every machine has.
@@ -15,6 +16,7 @@ pub struct Array<T, const N: usize>([T; N]);
 impl Simd for Scalar {
     type F32x8 = Array<f32, 8>;
     type F64x4 = Array<f64, 4>;
+    type F32x16 = Pair<Self::F32x8>;
     #[inline(always)]
     fn splat(self, v: f32) -> Self::F32x8 {
         Array([v; 8])
@@ -41,6 +43,14 @@ impl Simd for Scalar {
     }
     #[inline(always)]
     fn prefetch<T>(self, _value: &T) {}
+    #[inline(always)]
+    fn splat_16(self, v: f32) -> Self::F32x16 {
+        Pair::splat(self, v)
+    }
+    #[inline(always)]
+    fn load_16(self, v: &[f32; 16]) -> Self::F32x16 {
+        Pair::load(self, v)
+    }
 }
 
 /// Numbers that have an absolute value.

@@ -18,6 +18,8 @@ pub trait Simd: Copy {
     type F32x8: F32x8;
     /// Four double-precision numbers.
     type F64x4: F64x4;
+    /// Sixteen single-precision numbers.
+    type F32x16: F32x16;
     /// A vector with the number in all eight lanes.
     fn splat(self, v: f32) -> Self::F32x8;
     /// Eight numbers from memory.
@@ -32,6 +34,10 @@ pub trait Simd: Copy {
     fn prefetch<T>(self, value: &T);
     /// Four numbers from memory.
     fn load_f64(self, v: &[f64; 4]) -> Self::F64x4;
+    /// A vector with the number in all sixteen lanes.
+    fn splat_16(self, v: f32) -> Self::F32x16;
+    /// Sixteen numbers from memory.
+    fn load_16(self, v: &[f32; 16]) -> Self::F32x16;
 }
 
 /// The operations that every vector has.
@@ -75,6 +81,24 @@ pub trait F32x8: Lanes {
     fn largest(self) -> f32;
     /// The numbers.
     fn to_array(self) -> [f32; 8];
+}
+
+/// Sixteen single-precision numbers.
+pub trait F32x16: Lanes {
+    /// `self * b + c`, rounded once on every machine.
+    fn fused(self, b: Self, c: Self) -> Self;
+    /// `self * b - c`, rounded once or twice.
+    fn mul_sub(self, b: Self, c: Self) -> Self;
+    /// The lanes of `other` where the mask has a bit, else of `self`.
+    fn replaced(self, mask: u32, other: Self) -> Self;
+    /// Lanes of `negative` where `self` has its sign bit set, else of `other`.
+    fn select_by_sign(self, negative: Self, other: Self) -> Self;
+    /// The smallest number, if none is NaN.
+    fn smallest(self) -> f32;
+    /// The largest number, if none is NaN.
+    fn largest(self) -> f32;
+    /// The numbers.
+    fn to_array(self) -> [f32; 16];
 }
 
 /// Four double-precision numbers.

@@ -5,9 +5,8 @@ use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 
 use super::meshes;
-use crate::query::packet::RAYS;
 use crate::simd::Instructions;
-use crate::{Mesh, Packet, PacketTree, Ray, RayTree, oracle};
+use crate::{BUNDLE, Bundle, Mesh, PacketTree, Ray, RayTree, oracle};
 
 /// Numbers that are spread evenly between 0 and 1, by a number of their own.
 fn spread(i: u64) -> f64 {
@@ -16,17 +15,17 @@ fn spread(i: u64) -> f64 {
 
 /// The rays of a packet.
 struct Rays {
-    origin: [[f64; RAYS]; 3],
-    direction: [[f64; RAYS]; 3],
-    range: [[f64; RAYS]; 2],
+    origin: [[f64; BUNDLE]; 3],
+    direction: [[f64; BUNDLE]; 3],
+    range: [[f64; BUNDLE]; 2],
     mask: u32,
 }
 
 impl Rays {
     const NONE: Self = Self {
-        origin: [[0.0; RAYS]; 3],
-        direction: [[0.0; RAYS]; 3],
-        range: [[0.0; RAYS]; 2],
+        origin: [[0.0; BUNDLE]; 3],
+        direction: [[0.0; BUNDLE]; 3],
+        range: [[0.0; BUNDLE]; 2],
         mask: 0,
     };
 
@@ -39,10 +38,10 @@ impl Rays {
         self.mask |= 1 << ray;
     }
 
-    fn packet(&self) -> Packet<'_> {
-        Packet {
-            origin: self.origin.each_ref(),
-            direction: self.direction.each_ref(),
+    fn packet(&self) -> Bundle<'_> {
+        Bundle {
+            origin: &self.origin,
+            direction: &self.direction,
             range: self.range.each_ref(),
             mask: self.mask,
         }
@@ -68,8 +67,8 @@ fn packets(mesh: &Mesh, seed: u64) -> Vec<Rays> {
     };
     let of_packet = |number: u64| {
         let mut rays = Rays::NONE;
-        for ray in 0..RAYS {
-            let i = 8 * number + ray as u64;
+        for ray in 0..BUNDLE {
+            let i = BUNDLE as u64 * number + ray as u64;
             let from = if i.is_multiple_of(3) {
                 on_face(i)
             } else {
@@ -134,7 +133,7 @@ proptest! {
             }
             for (ray, &face) in faces.iter().enumerate() {
                 let bit = 1 << ray;
-                let alone = Packet { mask: packet.mask & bit, ..packet };
+                let alone = Bundle { mask: packet.mask & bit, ..packet };
                 prop_assert_eq!(tree.first_hits(&alone)[ray], face);
                 prop_assert_eq!(tree.occluded(&alone), hidden & bit);
             }
@@ -153,9 +152,9 @@ fn packets_find_what_rays_do() {
         for rays in packets(&mesh, seed) {
             let packet = rays.packet();
             let (faces, hidden) = (tree.first_hits(&packet), tree.occluded(&packet));
-            for lane in (0..RAYS).filter(|&lane| packet.mask >> lane & 1 == 1) {
+            for lane in (0..BUNDLE).filter(|&lane| packet.mask >> lane & 1 == 1) {
                 let of =
-                    |vectors: [&[f64; RAYS]; 3]| Vec3::from([0, 1, 2].map(|k| vectors[k][lane]));
+                    |vectors: &[[f64; BUNDLE]; 3]| Vec3::from([0, 1, 2].map(|k| vectors[k][lane]));
                 let ray = Ray {
                     t_min: 10.0 * tree.in_plane(),
                     t_max: packet.range[1][lane] - 10.0 * tree.in_plane(),

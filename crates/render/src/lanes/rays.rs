@@ -1,15 +1,13 @@
 //! Rays of lanes: in packets where single precision resolves the scene and rays that were reflected at
 //! random still have something in common, else in bundles, which find what single rays do.
 
-use std::array;
-
 use capwalk_boundary::Accel;
-use capwalk_geometry::{BUNDLE, Bundle, Packet, PacketTree, RAYS, Ray};
+use capwalk_geometry::{BUNDLE, Bundle, PacketTree, Ray};
 
 use crate::lanes::scene::NOTHING;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
 
-const _: () = assert!(LANES.is_multiple_of(RAYS) && LANES == BUNDLE);
+const _: () = assert!(LANES == BUNDLE);
 
 /// The range of rays that start where something was met.
 pub const ALL_BEHIND: [Numbers; 2] = [[0.0; LANES], [f64::INFINITY; LANES]];
@@ -69,65 +67,38 @@ impl<'a> Meets<'a> {
         }
     }
 
-    /// The nearest face that each ray meets, in those it is asked for.
+    /// The nearest face that each ray meets, of those that are asked for.
     pub fn first_hits(&self, rays: &LaneRays<'_>) -> [u32; LANES] {
+        if let Some(tree) = &self.packets {
+            return tree.first_hits(&rays.bundle(rays.range));
+        }
+        let range = match rays.from_surfaces {
+            true => [[self.accel.horizon_distance(); LANES], rays.range[1]],
+            false => *rays.range,
+        };
+        if !self.accel.has_flush_emitters() {
+            return self.accel.rays().first_hits(&rays.bundle(&range));
+        }
         let mut faces = [NOTHING; LANES];
-        match &self.packets {
-            Some(tree) => {
-                for (first, packet) in rays.packets() {
-                    faces[first..first + RAYS].copy_from_slice(&tree.first_hits(&packet));
-                }
-            }
-            None if !self.accel.has_flush_emitters() => {
-                let range = self.range(rays);
-                return self.accel.rays().first_hits(&rays.bundle(&range));
-            }
-            None => {
-                for lane in lanes_of(rays.mask) {
-                    let hit = self.accel.first_hit_within(&self.ray(rays, lane));
-                    faces[lane] = hit.map_or(NOTHING, |hit| hit.face);
-                }
-            }
+        for lane in lanes_of(rays.mask) {
+            let hit = self.accel.first_hit_within(&Ray {
+                origin: rays.origin.get(lane),
+                direction: rays.direction.get(lane),
+                t_min: range[0][lane],
+                t_max: range[1][lane],
+            });
+            faces[lane] = hit.map_or(NOTHING, |hit| hit.face);
         }
         faces
     }
 
     /// One bit for each ray that meets something before its end.
     pub fn occluded(&self, rays: &LaneRays<'_>) -> u32 {
-        match &self.packets {
-            Some(tree) => {
-                let packets = rays.packets();
-                packets.fold(0, |mask, (first, packet)| {
-                    mask | tree.occluded(&packet) << first
-                })
-            }
-            None => {
-                let range = self.accel.ranges_to_targets(&rays.range[1]);
-                self.accel.rays().occluded_rays(&rays.bundle(&range))
-            }
+        if let Some(tree) = &self.packets {
+            return tree.occluded(&rays.bundle(rays.range));
         }
-    }
-
-    /// Distances between which rays of a bundle meet something.
-    fn range(&self, rays: &LaneRays<'_>) -> [Numbers; 2] {
-        let [t_min, t_max] = *rays.range;
-        match rays.from_surfaces {
-            true => [[self.accel.horizon_distance(); LANES], t_max],
-            false => [t_min, t_max],
-        }
-    }
-
-    fn ray(&self, rays: &LaneRays<'_>, lane: usize) -> Ray {
-        let ray = (self.accel).surface_ray(rays.origin.get(lane), rays.direction.get(lane));
-        let [t_min, t_max] = [0, 1].map(|i| rays.range[i][lane]);
-        match rays.from_surfaces {
-            true => Ray { t_max, ..ray },
-            false => Ray {
-                t_min,
-                t_max,
-                ..ray
-            },
-        }
+        let range = self.accel.ranges_to_targets(&rays.range[1]);
+        self.accel.rays().occluded_rays(&rays.bundle(&range))
     }
 }
 
@@ -153,6 +124,7 @@ fn nearest(accel: &Accel) -> f64 {
 }
 
 impl LaneRays<'_> {
+    /// The rays, between some distances.
     fn bundle<'b>(&'b self, range: &'b [Numbers; 2]) -> Bundle<'b> {
         Bundle {
             origin: &self.origin.0,
@@ -161,26 +133,4 @@ impl LaneRays<'_> {
             mask: self.mask,
         }
     }
-
-    /// The packets in which any ray is asked for, and the first lane of each.
-    fn packets(&self) -> impl Iterator<Item = (usize, Packet<'_>)> {
-        (0..LANES / RAYS).filter_map(|packet| {
-            let mask = self.mask >> (packet * RAYS) & ((1 << RAYS) - 1);
-            (mask != 0).then(|| {
-                let rays = Packet {
-                    origin: part(&self.origin.0, packet),
-                    direction: part(&self.direction.0, packet),
-                    range: part(self.range, packet),
-                    mask,
-                };
-                (packet * RAYS, rays)
-            })
-        })
-    }
-}
-
-/// The numbers of a packet.
-#[inline]
-fn part<const K: usize>(numbers: &[Numbers; K], packet: usize) -> [&[f64; RAYS]; K] {
-    array::from_fn(|row| &numbers[row].as_chunks().0[packet])
 }
