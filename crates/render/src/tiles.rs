@@ -154,8 +154,8 @@ pub const EFFORT_OF_SAMPLE: u64 = 100;
 
 /// Pixels that a worker takes at a time.
 const CHUNK: usize = 16;
-/// Samples that are taken together.
-const TOGETHER: usize = 64;
+/// Samples that are taken together: so many that what is set up for them costs little.
+const TOGETHER: usize = 256;
 /// The work is done in at least this many passes over the image, so that it
 /// can be stopped with all pixels nearly equally far.
 const PASSES: u32 = 32;
@@ -252,7 +252,9 @@ pub fn average<const C: usize>(
                 })
                 .collect();
             let work = numbers.iter().map(|range| range.len() as u64).sum();
-            let (mut of, mut places, mut taken) = (Vec::new(), Vec::new(), Vec::new());
+            let mut of = Vec::with_capacity(TOGETHER);
+            let mut places = Vec::with_capacity(TOGETHER);
+            let mut taken = Vec::with_capacity(TOGETHER);
             // Samples that depend on each other count as one number: their mean.
             let (mut sum, mut count) = ([0.0; C], 0);
             let mut take_all = |of: &mut Vec<(usize, u32)>, places: &mut Vec<SamplePlace>| {
