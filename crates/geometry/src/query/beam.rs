@@ -13,19 +13,19 @@ use crate::simd::{F32x8, F32x16, F64x4, Lanes, Simd};
 const OF_F64: usize = 4;
 
 /// Rays of a bundle that go about the same way, and are fastest along the same axis.
-pub struct Beam<'a> {
+pub struct Beam<'a, S: Simd> {
     pub local: &'a LocalBundle,
     pub mask: u32,
     axes: [usize; 3],
-    slabs: [SlabOfRays; 3],
+    slabs: [SlabOfRays<S>; 3],
     margin: f32,
 }
 
 /// The motions of rays along an axis.
-struct SlabOfRays {
-    inverse: Singles,
+struct SlabOfRays<S: Simd> {
+    inverse: S::F32x16,
     /// `start / direction`.
-    offset: Singles,
+    offset: S::F32x16,
     all: Option<AllRays>,
 }
 
@@ -41,43 +41,41 @@ struct AllRays {
 /// Directions of a beam differ by no more than this along each axis.
 const SPREAD: f32 = 0.5;
 
-impl<'a> Beam<'a> {
+impl<'a, S: Simd> Beam<'a, S> {
     /// The beam of a bundle, if that is more than a few rays.
     #[inline(always)]
-    pub fn new<S: Simd>(simd: S, local: &'a LocalBundle, few: u32) -> Option<Self> {
+    pub fn new(simd: S, local: &'a LocalBundle, few: u32) -> Option<Self> {
         let most = |axis: &usize| (local.fastest[*axis] & local.mask).count_ones();
         let fastest = (0..3).max_by_key(most).expect("there are three");
         let mask = local.fastest[fastest] & local.mask;
         if !local.is_finite || mask.count_ones() <= few {
             return None;
         }
-        let mut beam = Self {
-            local,
-            mask,
-            axes: axes_to(fastest),
-            slabs: [SlabOfRays::NONE, SlabOfRays::NONE, SlabOfRays::NONE],
-            margin: 0.0,
-        };
         for axis in 0..3 {
-            let [least, most] = ends_of(simd, &singles(&local.direction[axis]));
+            let [least, most] = ends_of(simd.round_16(&local.direction[axis]));
             if most - least > SPREAD {
                 return None;
             }
         }
-        // Twice that of planes: middles and halves of boxes are rounded, too.
-        let [_, largest] = ends_of(simd, &singles(&local.margin));
-        beam.margin = largest + PLANE_MARGIN as f32;
-        for axis in 0..3 {
-            let (start, inverse) = (&local.start[axis], &local.inverse[axis]);
-            beam.slabs[axis].set(simd, start, inverse, beam.margin);
-        }
-        Some(beam)
+        // Twice that of planes: middles and halves of boxes, places and products are rounded, too.
+        let margin = simd.round_16(&local.margin).largest() + PLANE_MARGIN as f32;
+        Some(Self {
+            local,
+            mask,
+            axes: axes_to(fastest),
+            slabs: [
+                SlabOfRays::new(simd, &local.start[0], &local.inverse[0], margin),
+                SlabOfRays::new(simd, &local.start[1], &local.inverse[1], margin),
+                SlabOfRays::new(simd, &local.start[2], &local.inverse[2], margin),
+            ],
+            margin,
+        })
     }
 
     /// Which children any of some rays may enter before its own limit, with those rays, and no
     /// later than where; `farthest` is the largest limit.
     #[inline(always)]
-    pub fn children<S: Simd>(
+    pub fn children(
         &self,
         simd: S,
         node: &RayNode,
@@ -123,20 +121,14 @@ impl<'a> Beam<'a> {
 
     /// One bit for each ray that may enter a box before its limit.
     #[inline(always)]
-    fn entering<S: Simd>(
-        &self,
-        simd: S,
-        centre: [f32; 3],
-        half: [f32; 3],
-        limits: &Singles,
-    ) -> u32 {
+    fn entering(&self, simd: S, centre: [f32; 3], half: [f32; 3], limits: &Singles) -> u32 {
         let (mut near, mut far) = (simd.splat_16(0.0), simd.load_16(limits));
         for axis in 0..3 {
             let slab = &self.slabs[axis];
-            let inverse = simd.load_16(&slab.inverse);
-            let offset = simd.load_16(&slab.offset);
-            let middle = simd.splat_16(centre[axis]).mul_sub(inverse, offset);
-            let reach = simd.splat_16(half[axis]) * inverse.abs();
+            let middle = simd
+                .splat_16(centre[axis])
+                .mul_sub(slab.inverse, slab.offset);
+            let reach = simd.splat_16(half[axis]) * slab.inverse.abs();
             near = near.max(middle - reach);
             far = far.min(middle + reach);
         }
@@ -146,7 +138,7 @@ impl<'a> Beam<'a> {
     /// Calls `found` with each of some rays that hits a triangle of a block no farther than at its
     /// `t_max`, and the distance: exactly [`TriangleBlock::intersect`], operation by operation.
     #[inline(always)]
-    pub fn intersect<S: Simd>(
+    pub fn intersect(
         &self,
         simd: S,
         block: &TriangleBlock,
@@ -208,7 +200,7 @@ impl<'a> Beam<'a> {
 
     /// A corner of a triangle, relative to some rays and sheared.
     #[inline(always)]
-    fn shear_corner<S: Simd>(&self, simd: S, corner: [f64; 3], part: usize) -> [S::F64x4; 3] {
+    fn shear_corner(&self, simd: S, corner: [f64; 3], part: usize) -> [S::F64x4; 3] {
         let [i, j, k] = self.axes;
         let LocalBundle { origin, shears, .. } = self.local;
         let z = simd.splat_f64(corner[2]) - simd.load_f64(part_of(&origin[k], part));
@@ -233,58 +225,38 @@ impl<'a> Beam<'a> {
     }
 }
 
-impl SlabOfRays {
-    const NONE: Self = Self {
-        inverse: [0.0; BUNDLE],
-        offset: [0.0; BUNDLE],
-        all: None,
-    };
-
+impl<S: Simd> SlabOfRays<S> {
     /// For rays that start in these places, with distance per movement.
     #[inline(always)]
-    fn set<S: Simd>(&mut self, simd: S, start: &Numbers, inverse: &Numbers, margin: f32) {
-        for ray in 0..BUNDLE {
-            self.inverse[ray] = inverse[ray] as f32;
-            self.offset[ray] = (start[ray] * inverse[ray]) as f32;
-        }
-        let [least, most] = ends_of(simd, &self.inverse);
-        let is_reversed = most < 0.0;
-        // Not in a closure, which would not be compiled with the instructions.
-        if is_reversed || least > 0.0 {
-            let [low, high] = ends_of(simd, &singles(start));
-            self.all = Some(AllRays {
-                is_reversed,
-                start: [low - margin, high + margin],
-                inverse: if is_reversed {
-                    [-most, -least]
-                } else {
-                    [least, most]
-                },
-            });
+    fn new(simd: S, start: &Numbers, inverse: &Numbers, margin: f32) -> Self {
+        let (start, inverse) = (simd.round_16(start), simd.round_16(inverse));
+        let [least, most] = ends_of(inverse);
+        let [low, high] = ends_of(start);
+        let (is_reversed, is_forward) = (most < 0.0, least > 0.0);
+        let all = AllRays {
+            is_reversed,
+            start: [low - margin, high + margin],
+            inverse: match is_reversed {
+                true => [-most, -least],
+                false => [least, most],
+            },
+        };
+        Self {
+            inverse,
+            offset: start * inverse,
+            all: if is_reversed || is_forward {
+                Some(all)
+            } else {
+                None
+            },
         }
     }
 }
 
 /// The smallest and the largest of the numbers.
 #[inline(always)]
-fn ends_of<S: Simd>(simd: S, numbers: &Singles) -> [f32; 2] {
-    let numbers = simd.load_16(numbers);
+fn ends_of<F: F32x16>(numbers: F) -> [f32; 2] {
     [numbers.smallest(), numbers.largest()]
-}
-
-/// The largest of the numbers.
-#[inline(always)]
-pub fn largest<S: Simd>(simd: S, numbers: &Singles) -> f32 {
-    ends_of(simd, numbers)[1]
-}
-
-#[inline(always)]
-fn singles(numbers: &Numbers) -> Singles {
-    let mut singles = [0.0; BUNDLE];
-    for ray in 0..BUNDLE {
-        singles[ray] = numbers[ray] as f32;
-    }
-    singles
 }
 
 /// A vector of numbers of a bundle.

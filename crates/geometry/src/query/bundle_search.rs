@@ -3,14 +3,14 @@
 //! Rays that go the same way visit mostly the same nodes: they go down the tree together, and each
 //! node is read once. Where few are left they go on one by one. Answers are those of single rays.
 
-use super::beam::{Beam, largest};
+use super::beam::Beam;
 use super::bundle::{BUNDLE, Bundle, NO_FACE};
 use super::local_bundle::LocalBundle;
 use super::ray_kernel::TriangleBlock;
 use super::ray_search::{FirstHit, Occluded, TriangleTree};
 use crate::bvh::{Child, ChildKind, Stack, VisitOfRays};
 use crate::ray::Hit;
-use crate::simd::{Computation, Instructions, Simd};
+use crate::simd::{Computation, F32x16, Instructions, Simd};
 
 /// So few rays are traced one by one.
 const FEW: u32 = 3;
@@ -58,7 +58,7 @@ struct Best {
 impl TriangleTree {
     /// The rays that go through it together.
     #[inline(always)]
-    fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle) -> Option<Beam<'a>> {
+    fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle) -> Option<Beam<'a, S>> {
         match self.parts.is_empty() {
             true => Beam::new(simd, local, FEW),
             false => None,
@@ -69,10 +69,10 @@ impl TriangleTree {
 impl FirstHits<'_> {
     /// Searches for what rays hit that go down the tree together.
     #[inline(always)]
-    fn together<S: Simd>(&self, simd: S, beam: &Beam<'_>, best: &mut Best) {
+    fn together<S: Simd>(&self, simd: S, beam: &Beam<'_, S>, best: &mut Best) {
         let tree = self.tree;
         let mut limits = beam.limits();
-        let mut farthest = largest(simd, &limits);
+        let mut farthest = simd.load_16(&limits).largest();
         let mut stack = Stack::with(VisitOfRays {
             child: Child::node(0),
             rays: beam.mask,
@@ -85,7 +85,7 @@ impl FirstHits<'_> {
                     self.alone(simd, beam.local, child, ray, best);
                     limits[ray] = beam.local.limit(ray, best.t[ray]);
                 }
-                farthest = largest(simd, &limits);
+                farthest = simd.load_16(&limits).largest();
                 continue;
             }
             match child.kind() {
@@ -97,7 +97,7 @@ impl FirstHits<'_> {
                 Some(ChildKind::Leaf(leaf)) => {
                     let block = &tree.leaves[leaf];
                     self.leaf(simd, beam, block, rays, best, &mut limits);
-                    farthest = largest(simd, &limits);
+                    farthest = simd.load_16(&limits).largest();
                 }
                 None => {}
             }
@@ -108,7 +108,7 @@ impl FirstHits<'_> {
     fn leaf<S: Simd>(
         &self,
         simd: S,
-        beam: &Beam<'_>,
+        beam: &Beam<'_, S>,
         block: &TriangleBlock,
         rays: u32,
         best: &mut Best,
@@ -188,11 +188,11 @@ impl Computation for OccludedRays<'_> {
 impl OccludedRays<'_> {
     /// One bit for each ray that hits anything, where they go down the tree together.
     #[inline(always)]
-    fn together<S: Simd>(&self, simd: S, beam: &Beam<'_>) -> u32 {
+    fn together<S: Simd>(&self, simd: S, beam: &Beam<'_, S>) -> u32 {
         let tree = self.tree;
         let mut t_max = *self.rays.range[1];
         let limits = beam.limits();
-        let farthest = largest(simd, &limits);
+        let farthest = simd.load_16(&limits).largest();
         let mut free = beam.mask;
         let mut stack = Stack::with(VisitOfRays {
             child: Child::node(0),

@@ -29,8 +29,6 @@ pub struct LocalBundle {
     /// Where they enter the tree, and distance per movement along each axis.
     pub start: [Numbers; 3],
     pub inverse: [Numbers; 3],
-    /// The numbers of [`slab`] for each axis.
-    slabs: [[Singles; 3]; 3],
     enter: Numbers,
     exit: Numbers,
     local_per_world: Numbers,
@@ -52,7 +50,6 @@ impl LocalBundle {
             inverse_z: [0.0; BUNDLE],
             start: [[0.0; BUNDLE]; 3],
             inverse: [[0.0; BUNDLE]; 3],
-            slabs: [[[0.0; BUNDLE]; 3]; 3],
             enter: [0.0; BUNDLE],
             exit: [0.0; BUNDLE],
             local_per_world: [0.0; BUNDLE],
@@ -117,12 +114,6 @@ impl LocalBundle {
                 let direction = local.direction[axis][ray] * local.inverse_z[ray].abs();
                 local.start[axis][ray] = from + direction * local.enter[ray];
             }
-            let [inverses, near, far] = &mut local.slabs[axis];
-            for ray in 0..BUNDLE {
-                let (start, inverse) = (local.start[axis][ray], local.inverse[axis][ray]);
-                let numbers = slab(start, inverse, local.margin[ray]);
-                (inverses[ray], near[ray], far[ray]) = (numbers[0], numbers[1], numbers[2]);
-            }
         }
         let mut reached = 0;
         for ray in 0..BUNDLE {
@@ -182,15 +173,17 @@ impl LocalBundle {
             shear: [self.shears[0][ray], self.shears[1][ray]],
             inverse_z: self.inverse_z[ray],
         };
+        let (start, inverse) = (vector(&self.start, ray), vector(&self.inverse, ray));
+        let margin = self.margin[ray];
         let within = Within {
             slabs: [
-                slab_of(&self.slabs[0], ray),
-                slab_of(&self.slabs[1], ray),
-                slab_of(&self.slabs[2], ray),
+                slab(start.x, inverse.x, margin),
+                slab(start.y, inverse.y, margin),
+                slab(start.z, inverse.z, margin),
             ],
             ends: [self.enter[ray], self.exit[ray]],
             local_per_world: self.local_per_world[ray],
-            margin: self.margin[ray],
+            margin,
         };
         LocalRay::within(simd, shear, vector(&self.origin, ray), &within)
     }
@@ -208,11 +201,6 @@ impl LocalBundle {
 #[inline(always)]
 pub fn axes_to(fastest: usize) -> [usize; 3] {
     [(fastest + 1) % 3, (fastest + 2) % 3, fastest]
-}
-
-#[inline(always)]
-fn slab_of([inverse, near, far]: &[Singles; 3], ray: usize) -> [f32; 3] {
-    [inverse[ray], near[ray], far[ray]]
 }
 
 #[inline(always)]

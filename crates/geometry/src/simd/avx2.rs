@@ -96,6 +96,16 @@ impl Simd for Avx2 {
         F32x8Avx2(unsafe { _mm256_loadu_ps(v.as_ptr()) })
     }
     #[inline(always)]
+    fn round(self, v: &[f64; 8]) -> F32x8Avx2 {
+        // SAFETY: `self` proves the feature; 64 bytes are readable at `v`, and
+        // the loads need no alignment.
+        F32x8Avx2(unsafe {
+            let low = _mm256_cvtpd_ps(_mm256_loadu_pd(v.as_ptr()));
+            let high = _mm256_cvtpd_ps(_mm256_loadu_pd(v[4..].as_ptr()));
+            _mm256_set_m128(high, low)
+        })
+    }
+    #[inline(always)]
     fn load_i16(self, v: &[i16; 8]) -> F32x8Avx2 {
         // SAFETY: `self` proves the feature; 16 bytes are readable at `v`, and
         // the load needs no alignment.
@@ -137,6 +147,10 @@ impl Simd for Avx2 {
         Pair::splat(self, v)
     }
     #[inline(always)]
+    fn round_16(self, v: &[f64; 16]) -> Pair<F32x8Avx2> {
+        Pair::round(self, v)
+    }
+    #[inline(always)]
     fn load_16(self, v: &[f32; 16]) -> Pair<F32x8Avx2> {
         Pair::load(self, v)
     }
@@ -153,6 +167,10 @@ impl Simd for Avx512 {
     #[inline(always)]
     fn load(self, v: &[f32; 8]) -> F32x8Avx2 {
         self.0.load(v)
+    }
+    #[inline(always)]
+    fn round(self, v: &[f64; 8]) -> F32x8Avx2 {
+        self.0.round(v)
     }
     #[inline(always)]
     fn load_i16(self, v: &[i16; 8]) -> F32x8Avx2 {
@@ -178,6 +196,16 @@ impl Simd for Avx512 {
     fn splat_16(self, v: f32) -> F32x16Avx512 {
         // SAFETY: `self` proves the feature.
         F32x16Avx512(unsafe { _mm512_set1_ps(v) })
+    }
+    #[inline(always)]
+    fn round_16(self, v: &[f64; 16]) -> F32x16Avx512 {
+        // SAFETY: `self` proves the feature; 128 bytes are readable at `v`, and
+        // the loads need no alignment.
+        F32x16Avx512(unsafe {
+            let low = _mm512_cvtpd_ps(_mm512_loadu_pd(v.as_ptr()));
+            let high = _mm512_cvtpd_ps(_mm512_loadu_pd(v[8..].as_ptr()));
+            _mm512_insertf32x8::<1>(_mm512_castps256_ps512(low), high)
+        })
     }
     #[inline(always)]
     fn load_16(self, v: &[f32; 16]) -> F32x16Avx512 {

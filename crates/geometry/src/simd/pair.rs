@@ -18,6 +18,13 @@ impl<V: F32x8> Pair<V> {
         Self(simd.splat(v), simd.splat(v))
     }
 
+    /// Numbers from memory, rounded to the nearest.
+    #[inline(always)]
+    pub fn round(simd: impl Simd<F32x8 = V>, v: &[f64; 2 * HALF]) -> Self {
+        let [low, high] = [0, 1].map(|half| &v.as_chunks::<HALF>().0[half]);
+        Self(simd.round(low), simd.round(high))
+    }
+
     /// Numbers from memory.
     #[inline(always)]
     pub fn load(simd: impl Simd<F32x8 = V>, v: &[f32; 2 * HALF]) -> Self {

@@ -26,6 +26,10 @@ impl Simd for Scalar {
         Array(*v)
     }
     #[inline(always)]
+    fn round(self, v: &[f64; 8]) -> Self::F32x8 {
+        Array(v.map(|v| v as f32))
+    }
+    #[inline(always)]
     fn load_i16(self, v: &[i16; 8]) -> Self::F32x8 {
         Array(v.map(f32::from))
     }
@@ -46,6 +50,10 @@ impl Simd for Scalar {
     #[inline(always)]
     fn splat_16(self, v: f32) -> Self::F32x16 {
         Pair::splat(self, v)
+    }
+    #[inline(always)]
+    fn round_16(self, v: &[f64; 16]) -> Self::F32x16 {
+        Pair::round(self, v)
     }
     #[inline(always)]
     fn load_16(self, v: &[f32; 16]) -> Self::F32x16 {

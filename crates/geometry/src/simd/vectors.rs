@@ -24,6 +24,8 @@ pub trait Simd: Copy {
     fn splat(self, v: f32) -> Self::F32x8;
     /// Eight numbers from memory.
     fn load(self, v: &[f32; 8]) -> Self::F32x8;
+    /// Eight numbers from memory, rounded to the nearest.
+    fn round(self, v: &[f64; 8]) -> Self::F32x8;
     /// Eight integers from memory.
     fn load_i16(self, v: &[i16; 8]) -> Self::F32x8;
     /// Eight small integers from memory.
@@ -36,6 +38,8 @@ pub trait Simd: Copy {
     fn load_f64(self, v: &[f64; 4]) -> Self::F64x4;
     /// A vector with the number in all sixteen lanes.
     fn splat_16(self, v: f32) -> Self::F32x16;
+    /// Sixteen numbers from memory, rounded to the nearest.
+    fn round_16(self, v: &[f64; 16]) -> Self::F32x16;
     /// Sixteen numbers from memory.
     fn load_16(self, v: &[f32; 16]) -> Self::F32x16;
 }
