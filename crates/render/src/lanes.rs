@@ -46,11 +46,10 @@ use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
 use kept::Step;
 use lights::{LaneChoices, LaneLights};
-use lit::{Lit, Seen};
+use lit::{Lit, SeenEmitter, SkyPoint};
 use lobes::LaneLobes;
 use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING, asked_slots};
-use sky::SkyPoint;
 use step::{Brdf, Vertices};
 use vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
 
@@ -89,7 +88,7 @@ struct Paths<'a> {
     rays: [u64; LANES],
     /// Their vertices, if light is to be differentiated, and what the camera sees of emitters.
     steps: Option<Vec<Step>>,
-    seen: [Option<(EmitterId, Seen)>; LANES],
+    seen: [Option<(EmitterId, SeenEmitter)>; LANES],
 }
 
 /// The vertex that is sampled at, if light is to be differentiated.

@@ -4,7 +4,7 @@ use capwalk_math::Rgb;
 use capwalk_scene::EmitterId;
 use capwalk_scene::lobe::Specular;
 
-use crate::lanes::lit::{Lit, Seen};
+use crate::lanes::lit::{Lit, SeenEmitter};
 use crate::lanes::step::{Brdf, Vertices};
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 
@@ -27,7 +27,7 @@ pub struct Step {
     pub is_lit: u32,
     pub lit_scattered: Vectors,
     /// What emits that the drawn directions lead to.
-    pub met: [Option<(EmitterId, Seen)>; LANES],
+    pub met: [Option<(EmitterId, SeenEmitter)>; LANES],
     pub met_radiance: Vectors,
     pub met_weight: Numbers,
     pub survival: Numbers,
@@ -69,7 +69,13 @@ impl Step {
     }
 
     /// What a drawn direction meets that emits.
-    pub fn set_met(&mut self, lane: usize, met: (EmitterId, Seen), radiance: Rgb, weight: f64) {
+    pub fn set_met(
+        &mut self,
+        lane: usize,
+        met: (EmitterId, SeenEmitter),
+        radiance: Rgb,
+        weight: f64,
+    ) {
         self.met[lane] = Some(met);
         self.met_radiance.set_colour(lane, radiance);
         self.met_weight[lane] = weight;

@@ -9,10 +9,10 @@ use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
 
 use crate::emitter_choice::EmitterChoice;
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
-use crate::lanes::lit::{Lit, Seen};
+use crate::lanes::lit::{Lit, SeenEmitter, SkyPoint};
 use crate::lanes::lobes::LaneLobes;
 use crate::lanes::scene::LaneScene;
-use crate::lanes::sky::{DrawSky, SeeSky, Sky, SkyPoint};
+use crate::lanes::sky::{DrawSky, SeeSky, Sky};
 use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
 use crate::light::{TowardsEmitter, emitter_pdf};
@@ -299,22 +299,22 @@ impl<'a> LaneLights<'a> {
     }
 
     /// What of an emitter is seen in the direction that was drawn towards it.
-    pub fn seen(&self, vertices: &Vertices, lit: &Lit, lane: usize) -> Seen {
+    pub fn seen(&self, vertices: &Vertices, lit: &Lit, lane: usize) -> SeenEmitter {
         let emitter = lit.emitters[lane];
         let kind = &self.kinds[emitter.0 as usize];
         if kind.is_sky {
-            return Seen {
+            return SeenEmitter {
                 hit: None,
                 sky: Some(lit.sky[lane]),
             };
         }
         let Some(rectangle) = kind.rectangle else {
-            return Seen::on(lit.hits[lane]);
+            return SeenEmitter::on(lit.hits[lane]);
         };
         let t = lit.range[1][lane];
         let point = vertices.position.get(lane) + lit.direction.get(lane) * t;
         let (face, barycentric) = rectangle.place_of(point);
-        Seen::on(Some(Hit {
+        SeenEmitter::on(Some(Hit {
             t,
             face: self.accel.emitter_face(emitter, face),
             barycentric,
@@ -323,9 +323,9 @@ impl<'a> LaneLights<'a> {
 
     /// What of an emitter is seen along a ray that hits it there, or misses everything and sees this
     /// of the environment map ([`Self::see_sky`]).
-    pub fn seen_at(&self, emitter: EmitterId, hit: Option<Hit>, sky: &SkyPoint) -> Seen {
+    pub fn seen_at(&self, emitter: EmitterId, hit: Option<Hit>, sky: &SkyPoint) -> SeenEmitter {
         let is_sky = self.kinds[emitter.0 as usize].is_sky;
-        Seen {
+        SeenEmitter {
             hit,
             sky: is_sky.then_some(*sky),
         }
@@ -352,7 +352,13 @@ impl<'a> LaneLights<'a> {
     }
 
     /// What an emitter sends back along a ray that hits it, or misses everything.
-    pub fn radiance(&self, emitter: EmitterId, seen: &Seen, origin: Vec3, direction: Vec3) -> Rgb {
+    pub fn radiance(
+        &self,
+        emitter: EmitterId,
+        seen: &SeenEmitter,
+        origin: Vec3,
+        direction: Vec3,
+    ) -> Rgb {
         let kind = &self.kinds[emitter.0 as usize];
         match (kind.radiance, &seen.sky) {
             (Some(radiance), _) => radiance,
@@ -375,7 +381,7 @@ impl<'a> LaneLights<'a> {
         choices: &LaneChoices,
         lane: usize,
         emitter: EmitterId,
-        seen: &Seen,
+        seen: &SeenEmitter,
         direction: Vec3,
         receiver: impl FnOnce() -> Receiver,
     ) -> f64 {
@@ -398,7 +404,7 @@ impl LaneLights<'_> {
     pub fn pull(
         &self,
         emitter: EmitterId,
-        seen: &Seen,
+        seen: &SeenEmitter,
         position: Option<Vec3>,
         covector: Rgb,
         scene: &LaneScene<'_>,

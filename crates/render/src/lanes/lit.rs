@@ -1,9 +1,10 @@
 //! Directions towards emitters, and the light that arrives by them.
 
 use capwalk_geometry::Hit;
+use capwalk_math::Rgb;
 use capwalk_scene::EmitterId;
+use capwalk_scene::emitter::MapPlace;
 
-use crate::lanes::sky::SkyPoint;
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 
 /// Directions towards emitters.
@@ -30,16 +31,25 @@ pub struct Lit {
     pub sky: [SkyPoint; LANES],
 }
 
+/// A point of an environment map.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct SkyPoint {
+    pub place: MapPlace<f64>,
+    /// What comes from there, and the density with which directions to it are drawn.
+    pub radiance: Rgb,
+    pub pdf: f64,
+}
+
 /// What of an emitter is seen in a direction.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Seen {
+pub struct SeenEmitter {
     /// The point of it, if it is a surface.
     pub hit: Option<Hit>,
     /// The point of an environment map.
     pub sky: Option<SkyPoint>,
 }
 
-impl Seen {
+impl SeenEmitter {
     /// Of an emitter that is no environment map.
     pub fn on(hit: Option<Hit>) -> Self {
         Self { hit, sky: None }

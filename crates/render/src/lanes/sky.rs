@@ -6,7 +6,7 @@ use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::Texture;
 use capwalk_scene::emitter::{ChosenCell, EnvironmentTable, MapPlace};
 
-use crate::lanes::lit::Lit;
+use crate::lanes::lit::{Lit, SkyPoint};
 use crate::lanes::vectors::{LANES, Vectors, lanes_of};
 use crate::light::{UNIFORM_SKY, map_pdf, sample_map};
 
@@ -17,15 +17,6 @@ pub struct Sky<'a> {
     pub texels: &'a Texture,
     /// What its texels are multiplied by.
     pub scale: Rgb,
-}
-
-/// A place on it.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct SkyPoint {
-    pub place: MapPlace<f64>,
-    /// What comes from there, and the density with which directions to it are drawn.
-    pub radiance: Rgb,
-    pub pdf: f64,
 }
 
 impl Sky<'_> {
@@ -80,8 +71,8 @@ impl Computation for DrawSky<'_> {
             }
         }
         let mut drawn = [(Vec3::zero(), MapPlace::default()); LANES];
-        for lane in 0..LANES {
-            drawn[lane] = sky.table.within(&cells[lane]);
+        for (drawn, cell) in drawn.iter_mut().zip(&cells) {
+            *drawn = sky.table.within(cell);
         }
         for lane in lanes_of(lanes) {
             if uniform >> lane & 1 == 1 {
@@ -117,8 +108,8 @@ impl Computation for SeeSky<'_> {
             seen,
         } = self;
         let mut places = [MapPlace::default(); LANES];
-        for lane in 0..LANES {
-            places[lane] = sky.table.map().place(directions.get(lane));
+        for (lane, place) in places.iter_mut().enumerate() {
+            *place = sky.table.map().place(directions.get(lane));
         }
         for lane in lanes_of(lanes) {
             seen[lane] = sky.point(places[lane]);
