@@ -15,6 +15,8 @@ pub struct AreaEmitter {
     /// The emitter.
     pub emitter: EmitterId,
     extent: Extent,
+    /// The middle of its box, and half of the diagonal.
+    ball: (Vec3, f64),
 }
 
 /// Bounds of an emitter.
@@ -88,7 +90,17 @@ impl AreaEmitter {
                     .fold(0.0, f64::max),
             },
         };
-        Self { emitter, extent }
+        Self {
+            emitter,
+            extent,
+            ball: (centre, 0.5 * size),
+        }
+    }
+
+    /// About the squared tangent of half the angle under which it is seen.
+    pub fn tan2(&self, viewpoint: Vec3) -> f64 {
+        let (centre, radius) = self.ball;
+        radius * radius / (centre - viewpoint).length_squared()
     }
 
     /// Its bounds.

@@ -13,6 +13,7 @@ use crate::sampled_edges::{ShadingPoint, discontinuity};
 use crate::scene_eval::{Primal, SceneEval};
 use crate::surface::emitted_at;
 use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Tracer};
+use crate::vertex::Vertex;
 
 /// How many random numbers the edges before area emitters use at each vertex: to choose an
 /// emitter, and points.
@@ -20,10 +21,11 @@ const NUMBERS: u32 = 2;
 
 impl Tracer<'_> {
     /// An estimate of the boundary term of light from area emitters at the vertex of a path of
-    /// number `depth`.
+    /// number `depth`, `moving`, which `at` is without what directions follow.
     pub(crate) fn emitters_edge_term<R: Real, W: SceneEval<R>>(
         &self,
         at: &ShadingPoint<R, W>,
+        moving: &Vertex<R>,
         draw: Draw,
         depth: u32,
     ) -> Rgb<R> {
@@ -52,6 +54,11 @@ impl Tracer<'_> {
         let discontinuity = |point: &EdgePoint| discontinuity(field, vertex, point, chosen.emitter);
         draw.count_queries(1);
         let place = draw.stream.number(dimension + 1);
+        let at = &ShadingPoint {
+            following: self.following_before(at.eval, moving, at.viewpoint, chosen.emitter),
+            in_mirrors: None,
+            ..*at
+        };
         // If directions do not move, only edges that move contribute.
         let is_stationary = at.motion().is_still();
         let among = is_stationary.then(|| self.moving_edges(field.boundaries, at.eval));

@@ -42,7 +42,7 @@ impl Tracer<'_> {
             eval,
             viewpoint: &viewpoint,
             vertex: &primal,
-            turning: self.turning(eval, vertex, &viewpoint),
+            following: self.following(eval, vertex, &viewpoint),
             in_mirrors: None,
         };
         let edges = self.sampled_edges(at.field.boundaries, eval, EdgeSelection::All);
@@ -86,21 +86,23 @@ impl Tracer<'_> {
             ..vertex.clone()
         };
         let position = at.viewpoint.position;
-        let normal = at.turning.unwrap_or(position);
         let corner = |i| at.eval.vertex(i);
-        let [apex, normal] = moving_apex(&accel.mesh, &image.mirrors(), [position, normal], corner);
+        let mirrors = image.mirrors();
+        let seen = |direction| moving_apex(&accel.mesh, &mirrors, [position, direction], corner);
+        let [apex, _] = seen(position);
         let viewpoint = Viewpoint::towards_surfaces(apex, reflected.face_normal, 0);
         let in_mirrors = ShadingPoint {
             field: at.field,
             eval: at.eval,
             viewpoint: &viewpoint,
             vertex: &reflected,
-            turning: at.turning.map(|_| normal),
+            following: (at.following)
+                .map(|following| following.seen(reflected.frame, |direction| seen(direction)[1])),
             in_mirrors: Some(InMirrors {
                 image,
                 events,
                 position,
-                turning: at.turning,
+                following: at.following,
                 spread: image.spread(self.mirror_spreads(at.eval)),
             }),
         };

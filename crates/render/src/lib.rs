@@ -20,6 +20,7 @@ mod estimate;
 mod film;
 mod gathered_term;
 mod grid;
+mod half_vector;
 mod highlight;
 mod image;
 mod indirect_edge_term;

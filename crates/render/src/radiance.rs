@@ -29,9 +29,10 @@ use capwalk_scene::{Emitter, EmitterId};
 
 use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
+use crate::half_vector::{Following, along};
 use crate::light::{Continuation, emitter_towards, sample_lights};
 use crate::sampled_edges::ShadingPoint;
-use crate::scene_eval::{SceneEval, Warped};
+use crate::scene_eval::SceneEval;
 use crate::shading::{add_lobes, black_vertex_at};
 use crate::surface::{emitted_at, irradiance_of, surface_at};
 use crate::tracer::{LeavesOut, Moving, Tracer};
@@ -211,8 +212,8 @@ impl Tracer<'_> {
                         Viewpoint::towards_surfaces(vertex.position, vertex.face_normal, events);
                     let warped = match stays {
                         true => {
-                            let normal = self.turning(eval, &vertex, &viewpoint);
-                            Warped::turning(next.direction, normal)
+                            let following = self.following(eval, &vertex, &viewpoint);
+                            along(next.direction, following)
                         }
                         false => {
                             let (walk, numbers) = self.vertex_walk(depth, 1, draw);
@@ -360,8 +361,9 @@ impl Tracer<'_> {
                 // before the emitter are gathered.
                 let warped = match self.gathers(sample.emitter) {
                     true => {
-                        let normal = self.turning_before(eval, vertex, &viewpoint, sample.emitter);
-                        Warped::turning(sample.direction, normal)
+                        let following =
+                            self.following_before(eval, vertex, &viewpoint, sample.emitter);
+                        along(sample.direction, following)
                     }
                     false => {
                         let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
@@ -404,17 +406,17 @@ impl Tracer<'_> {
                 eval,
                 viewpoint: &viewpoint,
                 vertex: &primal,
-                turning: None,
+                following: None,
                 in_mirrors: None,
             };
             if gathers.emitters {
-                light += self.emitters_edge_term(&at, draw, depth);
+                light += self.emitters_edge_term(&at, vertex, draw, depth);
             }
             if gathers.environment
                 && let Some(environment) = environment
             {
-                let turning = self.turning_before(eval, vertex, &viewpoint, environment);
-                let at = ShadingPoint { turning, ..at };
+                let following = self.following_before(eval, vertex, &viewpoint, environment);
+                let at = ShadingPoint { following, ..at };
                 light += self.environment_edge_term(&at, environment, draw, depth);
             }
         }
@@ -425,30 +427,39 @@ impl Tracer<'_> {
         }
     }
 
-    /// The normal with which directions towards an emitter turn: only light that is the same
+    /// What directions towards an emitter follow: only light that is the same
     /// everywhere is not noisier by it. Their density vanishes at the horizon, so there they
     /// must follow it, or the derivative of the cosine over that density has no bound.
-    fn turning_before<R: Real, W: SceneEval<R>>(
+    pub(crate) fn following_before<'v, R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        vertex: &Vertex<R>,
+        vertex: &'v Vertex<R>,
         viewpoint: &Viewpoint<R>,
         emitter: EmitterId,
-    ) -> Option<Vec3<R>> {
-        match self.accel.scene.emitter(emitter) {
-            Emitter::Constant { .. } => self.turning(eval, vertex, viewpoint),
-            _ => None,
+    ) -> Option<Following<'v, R>> {
+        let scene = &self.accel.scene;
+        let Some(Moving { field, .. }) = &self.moving else {
+            return None;
+        };
+        match scene.emitter(emitter) {
+            Emitter::Constant { .. } => self.following(eval, vertex, viewpoint),
+            _ if eval.is_still(viewpoint) => None,
+            _ => {
+                let mut areas = field.boundaries.area_emitters.iter();
+                let area = areas.find(|area| area.emitter == emitter)?;
+                Following::of_facets(vertex, area.tan2(vertex.position.value()))
+            }
         }
     }
 
-    /// The normal with which directions that do not move along a field turn. Where no boundary
+    /// What directions follow that do not move along a field with boundaries. Where no boundary
     /// moves, none is sampled, and they stay.
-    pub(crate) fn turning<R: Real, W: SceneEval<R>>(
+    pub(crate) fn following<'v, R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
-        vertex: &Vertex<R>,
+        vertex: &'v Vertex<R>,
         viewpoint: &Viewpoint<R>,
-    ) -> Option<Vec3<R>> {
-        (W::MOVES && !eval.is_still(viewpoint)).then_some(vertex.frame.n)
+    ) -> Option<Following<'v, R>> {
+        (W::MOVES && !eval.is_still(viewpoint)).then(|| Following::of(vertex))
     }
 }

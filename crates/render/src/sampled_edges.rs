@@ -13,7 +13,8 @@ use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
 
 use crate::emitter_edge_term::{emitted_and_reflected, emitted_past, reflected_environment};
-use crate::scene_eval::{SceneEval, Warped};
+use crate::half_vector::{Following, direction_along};
+use crate::scene_eval::SceneEval;
 use crate::vertex::Vertex;
 
 /// How far the planes of a window are moved outward, as a fraction of the edge's
@@ -37,7 +38,7 @@ pub const LEAST_WEIGHT: f64 = 0.03;
 const TINY: f64 = 1e-30;
 
 /// A shading point at which boundary terms are estimated.
-pub struct ShadingPoint<'a, R, W> {
+pub struct ShadingPoint<'a, R: Real, W> {
     /// The boundaries of the scene.
     pub field: &'a Field<'a>,
     /// Its numbers.
@@ -46,23 +47,23 @@ pub struct ShadingPoint<'a, R, W> {
     pub viewpoint: &'a Viewpoint<R>,
     /// The primal point.
     pub vertex: &'a Vertex<f64>,
-    /// The normal with which sampled directions turn, if they do not stay.
-    pub turning: Option<Vec3<R>>,
+    /// What sampled directions follow, if they do not stay.
+    pub following: Option<Following<'a, R>>,
     /// If edges count as flat mirrors show them: then all of this is where mirrors make it appear.
     pub in_mirrors: Option<InMirrors<'a, R>>,
 }
 
 /// A shading point that looks into flat mirrors.
 #[derive(Clone, Copy, Debug)]
-pub struct InMirrors<'a, R> {
+pub struct InMirrors<'a, R: Real> {
     /// What they show.
     pub image: &'a MirrorImage,
     /// The most specular events on the way.
     pub events: u32,
     /// Where the point is.
     pub position: Vec3<R>,
-    /// The normal with which directions from there turn, if they do not stay.
-    pub turning: Option<Vec3<R>>,
+    /// What directions from there follow, if they do not stay.
+    pub following: Option<Following<'a, R>>,
     /// How much faster than one face of each mirror the others move, at most, world units.
     pub spread: f64,
 }
@@ -101,19 +102,32 @@ impl Turning {
 impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
     /// How directions move, as far as sampling weights may use it.
     pub fn motion(&self) -> Turning {
-        let normal = self
-            .turning
-            .map(|normal| (normal.value(), self.eval.motion_of(normal)));
         let mut motion = self.eval.motion_of(self.viewpoint.position);
         motion.spread += self.in_mirrors.as_ref().map_or(0.0, |seen| seen.spread);
-        let (n, change) = normal.unwrap_or((Vec3::zero(), Motion::STILL));
-        // What may move may turn.
-        let may_turn = self.turning.map_or(0.0, |_| motion.spread);
-        Turning {
+        let Some((normal, viewer)) = self.following.map(|following| following.axes()) else {
+            return Turning {
+                motion,
+                rotation: Vec3::zero(),
+                guessed: 0.0,
+            };
+        };
+        let (n, change) = (normal.value(), self.eval.motion_of(normal));
+        let mut turning = Turning {
             motion,
             rotation: n.cross(change.velocity),
-            guessed: change.spread.max(may_turn),
+            // What may move may turn.
+            guessed: change.spread.max(motion.spread),
+        };
+        if let Some(viewer) = viewer {
+            // What facets reflect turns as the mirror's direction does, give or take as much: in the turning
+            // frame that moves with the image of what the viewer moves with.
+            let (v, change) = (viewer.value(), self.eval.motion_of(viewer));
+            let against = change.velocity - turning.rotation.cross(v);
+            let image = |x: Vec3| n * (2.0 * n.dot(x)) - x;
+            turning.rotation += image(v).cross(image(against));
+            turning.guessed += against.length() + change.spread;
         }
+        turning
     }
 
     /// `(u_edge - u)·n` over the density of a point of an edge ([`EdgePoint::flow`]); `None` where it
@@ -124,7 +138,7 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
         } = self.field;
         let ends = point.ends().map(|i| self.eval.boundary_point(i));
         let Some(seen) = &self.in_mirrors else {
-            let warped = Warped::turning(point.direction, self.turning).direction;
+            let warped = direction_along(point.direction, self.following);
             return Some(point.flow(ends, self.viewpoint.position, warped));
         };
         // What lies in a mirror is its own image, and from the horizon comes no light.
@@ -138,11 +152,9 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
         let direction = seen.image.direction(point.direction);
         let ray = accel.surface_ray(seen.position.value(), direction);
         let mirrors = accel.mirrors_along(seen.image, ray, point.distance, seen.events)?;
-        // The direction that stays, or turns, is reflected by mirrors that may move.
-        let ray = [
-            seen.position,
-            Warped::turning(direction, seen.turning).direction,
-        ];
+        // The direction that stays, or follows, is reflected by mirrors that may move.
+        let warped = direction_along(direction, seen.following);
+        let ray = [seen.position, warped];
         let vertex = |i| self.eval.vertex(i);
         let [apex, warped] = moving_apex(&accel.mesh, &mirrors, ray, vertex);
         Some(point.flow(ends, apex, warped))

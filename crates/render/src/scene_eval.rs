@@ -103,12 +103,9 @@ impl<R: Real> Warped<R> {
         }
     }
 
-    /// A direction that turns with a unit normal, by the smallest rotation, or stays if there is
-    /// none; such a field has no divergence.
-    pub fn turning(q: Vec3, normal: Option<Vec3<R>>) -> Self {
-        let Some(normal) = normal else {
-            return Self::still(q);
-        };
+    /// A direction that turns with a unit normal, by the smallest rotation; such a field has no
+    /// divergence.
+    pub fn turning(q: Vec3, normal: Vec3<R>) -> Self {
         let (n, still) = (normal.value(), Vec3::constant(q));
         let turned = normal * R::constant(n.dot(q)) - Vec3::constant(n) * normal.dot(still);
         Self {

@@ -19,8 +19,9 @@ use capwalk_scene::ShapeId;
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::{View, ViewRay};
 
+use crate::half_vector::direction_along;
 use crate::radiance::SpecularChain;
-use crate::scene_eval::{SceneEval, Warped};
+use crate::scene_eval::SceneEval;
 use crate::shading::{add_lobes, black_vertex_at};
 use crate::surface::surface_at;
 use crate::tracer::Tracer;
@@ -343,12 +344,9 @@ impl<'a> SpecularProbe<'a> {
         let tracer = self.tracer;
         let position = vertex.position.value();
         let viewpoint = Viewpoint::towards_surfaces(vertex.position, vertex.face_normal, 0);
-        let normal = tracer.turning(eval, vertex, &viewpoint);
+        let following = tracer.following(eval, vertex, &viewpoint);
         Some(Segment {
-            ray: [
-                vertex.position,
-                Warped::turning(direction, normal).direction,
-            ],
+            ray: [vertex.position, direction_along(direction, following)],
             hit: tracer.accel.first_hit(position, direction),
             chain: SpecularChain::default(),
             past,

@@ -23,6 +23,8 @@ pub trait Plain {
     const IS_TWO_SIDED: bool = false;
     /// Looks different from different sides.
     const IS_GLOSSY: bool = true;
+    /// True if part of what it reflects is reflected by facets ([`Scatters::mirrored`]).
+    const HAS_FACETS: bool = false;
 }
 
 /// What must be known of one that stands in a scene.
@@ -123,6 +125,11 @@ pub(super) trait Scatters<R: Real>: Plain {
     fn eval(&self, _wi: Vec3<R>, _wo: Vec3<R>) -> Rgb<R> {
         Rgb::zero()
     }
+
+    /// Calls `visit` with each part of [`Scatters::eval`] that facets reflect as mirrors, and how rough they
+    /// are ([`Microfacets::alpha2`]).
+    #[inline]
+    fn mirrored(&self, _wi: Vec3<R>, _wo: Vec3<R>, _visit: &mut impl FnMut(Rgb<R>, R)) {}
 
     /// Where a perfectly specular event sends `wi`, and how much radiance
     /// comes back from there (Fresnel, tint, and the scaling of radiance by

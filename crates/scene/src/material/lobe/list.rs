@@ -58,6 +58,11 @@ macro_rules! materials {
                 match self { $(Self::$name(_) => $name::<N>::IS_GLOSSY,)* }
             }
 
+            /// True if part of what it reflects is reflected by facets ([`Lobe::mirrored`]).
+            pub fn has_facets(&self) -> bool {
+                match self { $(Self::$name(_) => $name::<N>::HAS_FACETS,)* }
+            }
+
             /// The material with what becomes of each of its numbers, in the order of their fields.
             #[inline]
             pub fn mapped<B: Number>(&self, map: &mut impl FieldMap<N, B>) -> Lobe<B> {
@@ -125,6 +130,13 @@ macro_rules! materials {
             #[inline]
             pub fn eval(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
                 match self { $(Self::$name(it) => it.eval(wi, wo),)* }
+            }
+
+            /// Calls `visit` with each part of [`Lobe::eval`] that facets reflect as mirrors, and the product
+            /// of their roughnesses.
+            #[inline]
+            pub fn mirrored(&self, wi: Vec3<R>, wo: Vec3<R>, visit: &mut impl FnMut(Rgb<R>, R)) {
+                match self { $(Self::$name(it) => it.mirrored(wi, wo, visit),)* }
             }
 
             /// Where a perfectly specular event sends `wi`, and how much radiance

@@ -211,6 +211,27 @@ impl<R: Real> LocalBsdf<R> {
         })
     }
 
+    /// True if part of what it reflects is reflected by facets ([`LocalBsdf::mirrored`]).
+    pub fn has_facets(&self) -> bool {
+        self.lobes().any(|(_, lobe)| lobe.has_facets())
+    }
+
+    /// Calls `visit` with each part of [`LocalBsdf::eval`] that facets reflect as mirrors, and the product of
+    /// their roughnesses.
+    pub fn mirrored(&self, wi: Vec3<R>, wo: Vec3<R>, visit: &mut impl FnMut(Rgb<R>, R)) {
+        let parts = self.lobes().zip(self.tilts());
+        for ((weight, lobe), tilt) in parts.filter(|((_, lobe), _)| self.shows(lobe)) {
+            let Some(wi) = self.seen(wi, tilt) else {
+                continue;
+            };
+            let (wo, weight) = match tilt {
+                None => (wo, *weight),
+                Some(tilt) => (tilt.turned(wo), *weight * tilt.shown(wo)),
+            };
+            lobe.mirrored(wi, wo, &mut |part, alpha2| visit(part * weight, alpha2));
+        }
+    }
+
     /// Where a perfectly specular event sends `wi`, and how much radiance
     /// comes back from there: `weight · Fresnel · tint · scaling of radiance`,
     /// as smooth functions.

@@ -105,6 +105,13 @@ impl<R: Real> Microfacets<R> {
         (at_least(self.alpha_u), at_least(self.alpha_v))
     }
 
+    /// The product of the roughnesses.
+    #[inline]
+    pub(super) fn alpha2(&self) -> R {
+        let (alpha_u, alpha_v) = self.alphas();
+        alpha_u * alpha_v
+    }
+
     /// Density of normals `m` per solid angle and area of the surface:
     /// `∫ density(m) m.z dm = 1`. Zero for normals that point down.
     #[inline]

@@ -42,6 +42,7 @@ fields! {
 
 impl<N: Number> Plain for PolarizedPlastic<N> {
     const PLUGIN: &'static str = "pplastic";
+    const HAS_FACETS: bool = true;
     const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::SAMPLE_VISIBLE;
 }
 
@@ -62,14 +63,28 @@ impl<R: Real> Scatters<R> for PolarizedPlastic<R> {
             return Rgb::zero();
         }
         let wi = local::raised(wi);
-        let h = (wi + wo).normalized();
-        let reflectance = fresnel_dielectric(wi.dot(h), self.eta);
-        let facets = reflectance * self.microfacets.reflection(wi, wo, h);
         let one = R::constant(1.0);
         let enters = one - fresnel_dielectric(wo.z, self.eta);
         let leaves = one - fresnel_dielectric(wi.z, self.eta);
         let base = enters * leaves * wo.z * R::constant(FRAC_1_PI);
-        self.specular_reflectance * facets + self.diffuse_reflectance * base
+        self.coat(wi, wo) + self.diffuse_reflectance * base
+    }
+
+    #[inline]
+    fn mirrored(&self, wi: Vec3<R>, wo: Vec3<R>, visit: &mut impl FnMut(Rgb<R>, R)) {
+        if wo.z.value() > 0.0 {
+            visit(self.coat(local::raised(wi), wo), self.microfacets.alpha2());
+        }
+    }
+}
+
+impl<R: Real> PolarizedPlastic<R> {
+    /// What the facets reflect between two directions in front.
+    #[inline]
+    fn coat(&self, wi: Vec3<R>, wo: Vec3<R>) -> Rgb<R> {
+        let h = (wi + wo).normalized();
+        let reflectance = fresnel_dielectric(wi.dot(h), self.eta);
+        self.specular_reflectance * (reflectance * self.microfacets.reflection(wi, wo, h))
     }
 }
 

@@ -74,6 +74,7 @@ fields! {
 
 impl<N: Number> Plain for Principled<N> {
     const PLUGIN: &'static str = "principled";
+    const HAS_FACETS: bool = true;
     const WITHOUT_EFFECT: WithoutEffect = WithoutEffect {
         names: &[
             "main_specular_sampling_rate",
@@ -154,6 +155,20 @@ impl<R: Real> Scatters<R> for Principled<R> {
             return specular;
         }
         specular + self.diffuse(wi, wo, cos_h) + Rgb::splat(self.coat(wi, wo, h))
+    }
+
+    #[inline]
+    fn mirrored(&self, wi: Vec3<R>, wo: Vec3<R>, visit: &mut impl FnMut(Rgb<R>, R)) {
+        let (wi, wo, eta, front) = self.turned(wi, wo);
+        if wo.z.value() > 0.0 {
+            let (h, facets) = ((wi + wo).normalized(), self.facets());
+            let reflectance = self.reflectance(wi.dot(h), eta, front);
+            visit(reflectance * facets.reflection(wi, wo, h), facets.alpha2());
+            if front {
+                let coat = Rgb::splat(self.coat(wi, wo, h));
+                visit(coat, self.coat_alpha().squared());
+            }
+        }
     }
 
     #[inline]

@@ -38,6 +38,7 @@ fields! {
 impl<N: Number> Plain for RoughConductor<N> {
     const PLUGIN: &'static str = "roughconductor";
     const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::SAMPLE_VISIBLE;
+    const HAS_FACETS: bool = true;
 }
 
 impl InScene for RoughConductor<TextureId> {
@@ -56,6 +57,11 @@ impl<R: Real> Scatters<R> for RoughConductor<R> {
         let h = (wi + wo).normalized();
         let reflectance = fresnel_conductor(wi.dot(h), self.eta, self.k);
         reflectance * self.specular_reflectance * self.microfacets.reflection(wi, wo, h)
+    }
+
+    #[inline]
+    fn mirrored(&self, wi: Vec3<R>, wo: Vec3<R>, visit: &mut impl FnMut(Rgb<R>, R)) {
+        visit(self.eval(wi, wo), self.microfacets.alpha2());
     }
 }
 

@@ -53,6 +53,7 @@ fields! {
 impl<N: Number> Plain for RoughPlastic<N> {
     const PLUGIN: &'static str = "roughplastic";
     const WITHOUT_EFFECT: WithoutEffect = WithoutEffect::SAMPLE_VISIBLE;
+    const HAS_FACETS: bool = true;
 }
 
 impl InScene for RoughPlastic<TextureId> {
@@ -109,11 +110,17 @@ impl<R: Real> RoughPlastic<R> {
         table.internal_reflectance(self.alpha, self.eta)
     }
 
+    /// What the coat scatters if facets that are perfect mirrors scatter `mirrored`, seen under the cosine `cos`.
+    #[inline]
+    fn coat(&self, mirrored: R, cos: R) -> Rgb<R> {
+        self.specular_reflectance * (fresnel_dielectric(cos, self.eta) * mirrored)
+    }
+
     /// What coat and base scatter if facets that are perfect mirrors scatter `mirrored`, seen under
     /// the cosine `cos`, and the fraction `enters` passes the coat.
     #[inline]
     fn scattered(&self, mirrored: R, cos: R, enters: R, wo: Vec3<R>) -> Rgb<R> {
-        let coat = self.specular_reflectance * (fresnel_dielectric(cos, self.eta) * mirrored);
+        let coat = self.coat(mirrored, cos);
         let internal = self.internal_reflectance();
         let passes = enters * self.transmittance(wo.z);
         // Radiance shrinks by `1 / eta²` on the way out.
@@ -132,6 +139,16 @@ impl<R: Real> Scatters<R> for RoughPlastic<R> {
         let h = (wi + wo).normalized();
         let mirrored = self.facets().reflection(wi, wo, h);
         self.scattered(mirrored, wi.dot(h), self.transmittance(wi.z), wo)
+    }
+
+    #[inline]
+    fn mirrored(&self, wi: Vec3<R>, wo: Vec3<R>, visit: &mut impl FnMut(Rgb<R>, R)) {
+        if wo.z.value() > 0.0 {
+            let (wi, facets) = (local::raised(wi), self.facets());
+            let h = (wi + wo).normalized();
+            let coat = self.coat(facets.reflection(wi, wo, h), wi.dot(h));
+            visit(coat, facets.alpha2());
+        }
     }
 }
 
