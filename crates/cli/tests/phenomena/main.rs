@@ -81,6 +81,7 @@ phenomena! {
     principled_ball_moves
     radiance
     reflector_moves
+    rough_balls_move
     rough_glass_ball_moves
     rough_plastic_ball_moves
     roughness
