@@ -38,7 +38,7 @@ struct AllRays {
     inverse: [f32; 2],
 }
 
-/// Directions of a beam differ by no more than this along each axis.
+/// Directions of a beam, which should have unit length, differ by no more than this along each axis.
 const SPREAD: f32 = 0.5;
 
 impl<'a, S: Simd> Beam<'a, S> {
