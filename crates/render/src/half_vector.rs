@@ -154,10 +154,11 @@ struct Parts<R> {
 }
 
 impl<'v, R: Real> Facets<'v, R> {
-    /// Those of a vertex; `None` if it has none, or transmits light.
+    /// Those of a vertex; `None` if it has none, if it transmits light, and if neither normal nor viewer moves.
     fn of(vertex: &'v Vertex<R>, narrowness: f64) -> Option<Self> {
         let has_facets = vertex.bsdf.has_facets() && !vertex.transmits;
-        has_facets.then(|| {
+        let moves = || !vertex.frame.n.is_constant() || !vertex.wi.is_constant();
+        (has_facets && moves()).then(|| {
             // Facets that are seen from behind reflect what they would to the mirrored viewer.
             let Vec3 { x, y, z } = vertex.wi;
             let wi = Vec3::new(x, y, z.abs());
