@@ -1,5 +1,6 @@
 //! The boundary terms of light that comes from emitters (METHOD 8): sampled directions do not
-//! move, or turn with the normal, and points are sampled on the edges before an emitter instead.
+//! move, turn with the normal, or follow the half vector, and points are sampled on the edges before an
+//! emitter instead.
 
 use capwalk_boundary::{Draw, EdgePoint};
 use capwalk_geometry::EdgeSelection;

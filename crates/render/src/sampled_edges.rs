@@ -1,6 +1,6 @@
 //! Points sampled on edges around a shading point, in proportion to what they contribute
-//! to the boundary term, where directions do not move, or turn with the shading normal
-//! (METHOD 8).
+//! to the boundary term, where directions do not move, turn with the shading normal,
+//! or follow the half vector (METHOD 8).
 
 use std::borrow::Cow;
 
