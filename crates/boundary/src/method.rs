@@ -44,6 +44,9 @@ pub struct Gathers {
     pub points: u32,
     /// Points on the edges in a pixel, where it has any.
     pub camera_points: u32,
+    /// True if what facets reflect follows their half vector where edges are gathered around
+    /// surfaces; else it stays, or turns with the normal, as on devices.
+    pub half_vector: bool,
 }
 
 impl Gathers {
@@ -55,6 +58,7 @@ impl Gathers {
         indirect: true,
         points: Self::POINTS,
         camera_points: Self::CAMERA_POINTS,
+        half_vector: true,
     };
     /// Nowhere.
     pub const NONE: Self = Self {
@@ -64,6 +68,7 @@ impl Gathers {
         indirect: false,
         points: Self::POINTS,
         camera_points: Self::CAMERA_POINTS,
+        half_vector: true,
     };
 
     /// The names of the segments.
@@ -109,6 +114,7 @@ impl Gathers {
             indirect: self.indirect && !other.indirect,
             points: self.points,
             camera_points: self.camera_points,
+            half_vector: self.half_vector,
         }
     }
 }

@@ -41,9 +41,17 @@ impl<'v, R: Real> Following<'v, R> {
     /// What directions from a vertex to light from all around it follow: the normal, or the half vector.
     pub fn of(vertex: &'v Vertex<R>) -> Self {
         Self {
+            facets: Facets::of(vertex, 0.0),
+            ..Self::normal_of(vertex)
+        }
+    }
+
+    /// Likewise the normal alone.
+    pub fn normal_of(vertex: &Vertex<R>) -> Self {
+        Self {
             normal: vertex.frame.n,
             rest_turns: true,
-            facets: Facets::of(vertex, 0.0),
+            facets: None,
         }
     }
 

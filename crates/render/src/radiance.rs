@@ -443,7 +443,7 @@ impl Tracer<'_> {
         };
         match scene.emitter(emitter) {
             Emitter::Constant { .. } => self.following(eval, vertex, viewpoint),
-            _ if eval.is_still(viewpoint) => None,
+            _ if eval.is_still(viewpoint) || !self.gathers.half_vector => None,
             _ => {
                 let mut areas = field.boundaries.area_emitters.iter();
                 let area = areas.find(|area| area.emitter == emitter)?;
@@ -460,6 +460,10 @@ impl Tracer<'_> {
         vertex: &'v Vertex<R>,
         viewpoint: &Viewpoint<R>,
     ) -> Option<Following<'v, R>> {
-        (W::MOVES && !eval.is_still(viewpoint)).then(|| Following::of(vertex))
+        let moves = W::MOVES && !eval.is_still(viewpoint);
+        moves.then(|| match self.gathers.half_vector {
+            true => Following::of(vertex),
+            false => Following::normal_of(vertex),
+        })
     }
 }

@@ -186,6 +186,7 @@ impl<'a> Tracer<'a> {
             indirect: self.plan.reaches(3) && (self.events_behind(1) == 0 || has_few_mirrors()),
             points: Gathers::POINTS,
             camera_points: Gathers::CAMERA_POINTS,
+            half_vector: true,
         }
     }
 

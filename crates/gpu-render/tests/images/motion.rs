@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Sampler};
+use capwalk_boundary::{Boundaries, Counts, Draw, Field, Gathers, Method, Sampler};
 use capwalk_diff::{Backward, Forward, GradientOptions, Wanted};
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene, unsupported, unsupported_derivative};
@@ -60,10 +60,11 @@ pub fn with_sensor(mut tangent: Tangent) -> Tangent {
 /// The CPU's samples of the interior term, one of each pixel.
 pub fn on_cpu(prepared: &PreparedScene, tangent: &Tangent, options: &GradientOptions) -> Image {
     let boundaries = Boundaries::none(prepared.accel());
-    let options = GradientOptions {
-        method: Method::EDGES,
-        ..*options
-    };
+    let method = Method::Edges(Gathers {
+        half_vector: false,
+        ..Gathers::ALL
+    });
+    let options = GradientOptions { method, ..*options };
     samples_among(&boundaries, prepared, tangent, &options)
 }
 
