@@ -23,7 +23,7 @@ pub trait Plain {
     const IS_TWO_SIDED: bool = false;
     /// Looks different from different sides.
     const IS_GLOSSY: bool = true;
-    /// True if part of what it reflects is reflected by facets ([`Scatters::mirrored`]).
+    /// True if part of what it reflects is reflected by facets (`Scatters::mirrored`).
     const HAS_FACETS: bool = false;
 }
 
