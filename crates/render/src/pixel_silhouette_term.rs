@@ -83,7 +83,7 @@ impl Tracer<'_> {
         support: &Support,
         draw: Draw,
     ) -> Option<Rgb<R>> {
-        let count = self.gathers.camera_points;
+        let count = self.gathers.camera_points.max(1);
         let u = draw.stream.number(EDGE_NUMBERS);
         let mut sum = Rgb::zero();
         for i in 0..count {
