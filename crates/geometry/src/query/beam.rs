@@ -4,9 +4,9 @@
 
 use super::bundle::BUNDLE;
 use super::local_bundle::{LocalBundle, Numbers, Singles, axes_to};
-use super::ray_kernel::{RayNode, TriangleBlock};
+use super::ray_kernel::{Crossing, RayNode, TriangleBlock, crossing};
 use crate::bvh::{VisitOfRays, WIDTH};
-use crate::ray::{EDGE_ON, PLANE_MARGIN};
+use crate::ray::PLANE_MARGIN;
 use crate::simd::{F32x8, F32x16, F64x4, Lanes, Simd};
 
 /// Numbers in a vector of double precision.
@@ -157,32 +157,15 @@ impl<'a, S: Simd> Beam<'a, S> {
             if own == 0 {
                 continue;
             }
-            let [ax, ay, az] = self.shear_corner(simd, a, part);
-            let [bx, by, bz] = self.shear_corner(simd, b, part);
-            let [cx, cy, cz] = self.shear_corner(simd, c, part);
-            let u = cx * by - cy * bx;
-            let v = ax * cy - ay * cx;
-            let w = bx * ay - by * ax;
-            let zero = simd.splat_f64(0.0);
-            let (least, largest) = (u.min(v).min(w), u.max(v).max(w));
-            let mut inside = own & (zero.le(least) | largest.le(zero));
-            if inside == 0 {
-                continue;
-            }
-            let determinant = u + v + w;
-            let on_edge = least.le(zero) & zero.le(largest);
-            if inside & on_edge != 0 {
-                let products = (cx * by).abs()
-                    + (cy * bx).abs()
-                    + (ax * cy).abs()
-                    + (ay * cx).abs()
-                    + (bx * ay).abs()
-                    + (by * ax).abs();
-                let edge_on = determinant.abs().le(simd.splat_f64(EDGE_ON) * products);
-                inside &= !(on_edge & edge_on);
-            }
+            let corners = [
+                self.shear_corner(simd, a, part),
+                self.shear_corner(simd, b, part),
+                self.shear_corner(simd, c, part),
+            ];
             let inverse_z = simd.load_f64(part_of(&self.local.inverse_z, part));
-            let t = (u * az + v * bz + w * cz) / determinant * inverse_z;
+            let Some(Crossing { inside, t, .. }) = crossing(simd, corners, inverse_z, own) else {
+                continue;
+            };
             let t_min = simd.load_f64(part_of(&self.local.range[0], part));
             let before = t.le(simd.load_f64(part_of(t_max, part)));
             let mut hits = inside & t_min.le(t) & before;

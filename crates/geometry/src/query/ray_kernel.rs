@@ -106,35 +106,22 @@ impl TriangleBlock {
         [t_min, t_max]: [f64; 2],
         mut found: impl FnMut(Hit),
     ) {
-        // No closures over vectors here and below: they would not be compiled
-        // with the instructions.
-        let [ax, ay, az] = local.shear_corner(simd, &self.corners[0]);
-        let [bx, by, bz] = local.shear_corner(simd, &self.corners[1]);
-        let [cx, cy, cz] = local.shear_corner(simd, &self.corners[2]);
-        let u = cx * by - cy * bx;
-        let v = ax * cy - ay * cx;
-        let w = bx * ay - by * ax;
-        let zero = simd.splat_f64(0.0);
-        let (least, largest) = (u.min(v).min(w), u.max(v).max(w));
-        let (positive, negative) = (zero.le(least), largest.le(zero));
-        if positive | negative == 0 {
-            return;
-        }
-        let determinant = u + v + w;
-        let on_edge = least.le(zero) & zero.le(largest);
-        let mut inside = positive | negative;
-        if inside & on_edge != 0 {
-            let products = (cx * by).abs()
-                + (cy * bx).abs()
-                + (ax * cy).abs()
-                + (ay * cx).abs()
-                + (bx * ay).abs()
-                + (by * ax).abs();
-            let edge_on = determinant.abs().le(simd.splat_f64(EDGE_ON) * products);
-            inside &= !(on_edge & edge_on);
-        }
+        let corners = [
+            local.shear_corner(simd, &self.corners[0]),
+            local.shear_corner(simd, &self.corners[1]),
+            local.shear_corner(simd, &self.corners[2]),
+        ];
         let inverse_z = simd.splat_f64(local.shear.inverse_z);
-        let t = (u * az + v * bz + w * cz) / determinant * inverse_z;
+        let Some(crossing) = crossing(simd, corners, inverse_z, (1 << LANES) - 1) else {
+            return;
+        };
+        let Crossing {
+            inside,
+            t,
+            v,
+            w,
+            determinant,
+        } = crossing;
         let in_bounds = simd.splat_f64(t_min).le(t) & t.le(simd.splat_f64(t_max));
         let mut mask = inside & in_bounds;
         if mask == 0 {
@@ -153,6 +140,60 @@ impl TriangleBlock {
             });
         }
     }
+}
+
+/// Where rays cross the planes of triangles, pair by pair.
+pub struct Crossing<S: Simd> {
+    /// One bit for each that is inside of its triangle.
+    pub inside: u32,
+    /// The distance.
+    pub t: S::F64x4,
+    /// The weights of the second and the third corner, times the determinant.
+    pub v: S::F64x4,
+    pub w: S::F64x4,
+    pub determinant: S::F64x4,
+}
+
+/// [`intersect_triangle`](crate::ray::intersect_triangle), operation by operation, for those pairs that
+/// are asked for; `None` if none is inside. The corners are relative to the rays, and sheared.
+#[inline(always)]
+pub fn crossing<S: Simd>(
+    simd: S,
+    [[ax, ay, az], [bx, by, bz], [cx, cy, cz]]: [[S::F64x4; 3]; 3],
+    inverse_z: S::F64x4,
+    asked: u32,
+) -> Option<Crossing<S>> {
+    // No closures over vectors here and above: they would not be compiled
+    // with the instructions.
+    let u = cx * by - cy * bx;
+    let v = ax * cy - ay * cx;
+    let w = bx * ay - by * ax;
+    let zero = simd.splat_f64(0.0);
+    let (least, largest) = (u.min(v).min(w), u.max(v).max(w));
+    let mut inside = asked & (zero.le(least) | largest.le(zero));
+    if inside == 0 {
+        return None;
+    }
+    let determinant = u + v + w;
+    let on_edge = least.le(zero) & zero.le(largest);
+    if inside & on_edge != 0 {
+        let products = (cx * by).abs()
+            + (cy * bx).abs()
+            + (ax * cy).abs()
+            + (ay * cx).abs()
+            + (bx * ay).abs()
+            + (by * ax).abs();
+        let edge_on = determinant.abs().le(simd.splat_f64(EDGE_ON) * products);
+        inside &= !(on_edge & edge_on);
+    }
+    let t = (u * az + v * bz + w * cz) / determinant * inverse_z;
+    Some(Crossing {
+        inside,
+        t,
+        v,
+        w,
+        determinant,
+    })
 }
 
 /// A ray in the coordinates of a tree. It starts where it enters the tree, so
