@@ -10,7 +10,7 @@
 //! radiance on either side of an edge, `ṡ` the velocity of its projection on the film,
 //! and `n` the normal of the projection, from behind to before.
 
-use capwalk_boundary::{Counts, Draw, MirrorImage, Stream, moving_image};
+use capwalk_boundary::{Counts, Draw, MirrorImage, SilhouettePieces, Stream, moving_image};
 use capwalk_math::{Real, Rgb};
 use capwalk_scene::sensor::view::ViewRay;
 
@@ -70,7 +70,10 @@ impl Tracer<'_> {
         };
         let support = self.supports.pixel(pixel);
         let u = stream.number(EDGE_NUMBERS);
-        self.draw_camera_edge(eval, &camera, (pixel, &support), u, draw)
+        self.with_silhouettes(eval, &camera, (pixel, &support), |silhouettes| {
+            let silhouettes = silhouettes.ok_or(TooManyImages)?;
+            Ok(self.draw_camera_edge(eval, &camera, &support, silhouettes, u, draw))
+        })
     }
 
     /// A sample of this term for one pixel: a number of value zero, with a derivative. `None` if
@@ -85,30 +88,56 @@ impl Tracer<'_> {
     ) -> Option<Rgb<R>> {
         let count = self.gathers.camera_points.max(1);
         let u = draw.stream.number(EDGE_NUMBERS);
-        let mut sum = Rgb::zero();
-        for i in 0..count {
-            // Points that are spread evenly, each with random numbers of its own for the light.
-            let stream = match i {
-                0 => *draw.stream,
-                _ => draw.stream.branch(EDGE_NUMBERS).branch(i),
+        self.with_silhouettes(eval, camera, (pixel, support), |silhouettes| {
+            let Some(silhouettes) = silhouettes else {
+                draw.count_queries(1);
+                return None;
             };
-            let draw = Draw {
-                stream: &stream,
-                ..draw
-            };
-            let u = (u + f64::from(i)) / f64::from(count);
-            let drawn = self.draw_camera_edge(eval, camera, (pixel, support), u, draw);
-            let Some(edge) = drawn.ok()? else {
-                continue;
-            };
-            // Trace both sides with the same random numbers, so that their noise cancels.
-            let [behind, before] = edge
-                .sides
-                .map(|ray| self.radiance(&Primal(self.accel), ray, draw));
-            let weight = edge.weight / f64::from(count);
-            sum += Rgb::constant((behind - before) * weight) * edge.flow;
-        }
-        Some(sum)
+            let mut sum = Rgb::zero();
+            for i in 0..count {
+                // Points that are spread evenly, each with random numbers of its own for the light.
+                let stream = match i {
+                    0 => *draw.stream,
+                    _ => draw.stream.branch(EDGE_NUMBERS).branch(i),
+                };
+                let draw = Draw {
+                    stream: &stream,
+                    ..draw
+                };
+                let u = (u + f64::from(i)) / f64::from(count);
+                let drawn = self.draw_camera_edge(eval, camera, support, silhouettes, u, draw);
+                let Some(edge) = drawn else {
+                    continue;
+                };
+                // Trace both sides with the same random numbers, so that their noise cancels.
+                let [behind, before] = edge
+                    .sides
+                    .map(|ray| self.radiance(&Primal(self.accel), ray, draw));
+                let weight = edge.weight / f64::from(count);
+                sum += Rgb::constant((behind - before) * weight) * edge.flow;
+            }
+            Some(sum)
+        })
+    }
+
+    /// Calls `then` with the edges in a pixel, gathered now or by another sample; with nothing if
+    /// there are too many images in mirrors.
+    fn with_silhouettes<R: Real, W: SceneEval<R>, T>(
+        &self,
+        eval: &W,
+        camera: &Camera<R>,
+        (pixel, support): ([u32; 2], &Support),
+        then: impl FnOnce(Option<&SilhouettePieces>) -> T,
+    ) -> T {
+        let moving = self.moving.as_ref();
+        let field = &moving.expect("only scenes that move have this term").field;
+        let events = self.events_behind(0);
+        let spreads = match events {
+            0 => &[],
+            _ => self.mirror_spreads(eval),
+        };
+        let make = || silhouettes(field, eval, camera, support, events, spreads);
+        self.facts.silhouettes.with(pixel, make, then)
     }
 
     /// The point on an edge that the camera sees that a random number chooses.
@@ -116,40 +145,26 @@ impl Tracer<'_> {
         &self,
         eval: &W,
         camera: &Camera<R>,
-        (pixel, support): ([u32; 2], &Support),
+        support: &Support,
+        silhouettes: &SilhouettePieces,
         u: f64,
         draw: Draw,
-    ) -> Result<Option<CameraEdge<R>>, TooManyImages> {
+    ) -> Option<CameraEdge<R>> {
         let moving = self.moving.as_ref();
         let field = &moving.expect("only scenes that move have this term").field;
         let view = &camera.primal;
-        // Gather the edges in the pixel, or take the list that another sample has gathered:
-        // the count of queries is the same.
+        // The count of queries is the same whichever sample gathers the edges.
         draw.count_queries(1);
         let (accel, events) = (self.accel, self.events_behind(0));
-        let spreads = match events {
-            0 => &[],
-            _ => self.mirror_spreads(eval),
-        };
-        let make = || silhouettes(field, eval, camera, support, events, spreads);
         let sees = |image: &MirrorImage, direction, distance| {
             accel.sees_image(image, view.origin, direction, distance, events)
         };
         // Sample a point on one of them, as it is or in a mirror.
-        let found = self.facts.silhouettes.with(pixel, make, |silhouettes| {
-            let silhouettes = silhouettes?;
-            let is_seen = |image: &_, q, distance| sees(image, q, distance).is_some();
-            let point = silhouettes.draw(field.boundaries, view.origin, u, is_seen);
-            Some(point.and_then(|point| {
-                // Hidden edges contribute nothing.
-                let image = silhouettes.image(&point);
-                let mirrors = sees(image, point.direction, point.distance)?;
-                Some((point, mirrors))
-            }))
-        });
-        let Some((point, mirrors)) = found.ok_or(TooManyImages)? else {
-            return Ok(None);
-        };
+        let is_seen = |image: &_, q, distance| sees(image, q, distance).is_some();
+        let point = silhouettes.draw(field.boundaries, view.origin, u, is_seen)?;
+        // Hidden edges contribute nothing.
+        let image = silhouettes.image(&point);
+        let mirrors = sees(image, point.direction, point.distance)?;
         // Evaluate ṡ·n over the density: the motion of the edge against the ray of a fixed
         // film point, which moves with the camera.
         let s = view.film(point.direction);
@@ -162,14 +177,14 @@ impl Tracer<'_> {
         // Stop where nothing moves. A camera on the edge itself gives a NaN, which is not
         // constant and is counted with the sample.
         if flow.is_constant() {
-            return Ok(None);
+            return None;
         }
-        Ok(Some(CameraEdge {
+        Some(CameraEdge {
             sides: point
                 .sides_of_paths(field.boundaries, accel)
                 .map(|direction| view.ray(direction)),
             weight: support.weight(s) * view.film_area_per_solid_angle(point.direction),
             flow,
-        }))
+        })
     }
 }
