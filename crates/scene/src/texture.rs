@@ -3,6 +3,7 @@
 
 mod bitmap;
 
+pub(crate) use bitmap::bilinear;
 pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
 
 use capwalk_math::elementary::floor;

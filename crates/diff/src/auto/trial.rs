@@ -107,9 +107,7 @@ impl Trial {
                 (true, _) => without && with_all,
             }
     }
-}
 
-impl Trial {
     /// Better with the worst pixels, whatever it is without: where one is the other with more
     /// samples, they are no accidents.
     pub fn beats_with_all(&self, other: &Self, clearly: f64) -> bool {

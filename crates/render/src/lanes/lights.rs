@@ -221,20 +221,17 @@ impl<'a> LaneLights<'a> {
             let kind = &self.kinds[chosen];
             lit.emitters[lane] = EmitterId(chosen as u32);
             let times = f64::from(self.sampling.emitter_samples) * probability;
+            lit.inverse_density[lane] = 1.0 / times;
             if let Some(rectangle) = kind.rectangle {
                 choices.rectangles.set(lane, &rectangle.rectangle);
                 rectangles |= 1 << lane;
-                lit.inverse_density[lane] = 1.0 / times;
-                continue;
-            }
-            if kind.is_sky {
+            } else if kind.is_sky {
                 skies |= 1 << lane;
-                lit.inverse_density[lane] = 1.0 / times;
-                continue;
+            } else {
+                let u = [1, 2].map(|i| streams.number(lane, first + i));
+                let receiver = lobes.receiver(vertices, lane);
+                self.draw_one(chosen, &receiver, u, times, lane, lit);
             }
-            let u = [1, 2].map(|i| streams.number(lane, first + i));
-            let receiver = lobes.receiver(vertices, lane);
-            self.draw_one(chosen, &receiver, u, times, lane, lit);
         }
         [rectangles, skies]
     }

@@ -2,7 +2,6 @@
 //! `+y` over the rows, from the first to the last; the azimuth over the columns,
 //! whose centres are at `(i + 0.5) / width`, with `-z` at 0 and `+x` at 1/4.
 
-use std::array;
 use std::f64::consts::PI;
 
 use capwalk_math::elementary::{angle_of, floor, sin_cos};
@@ -10,7 +9,7 @@ use capwalk_math::{Affine, Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::guides::Guides;
-use crate::texture::Texture;
+use crate::texture::{Texture, bilinear};
 
 /// Where the texels of an environment map are.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -52,9 +51,8 @@ impl EnvironmentMap {
 
     /// The texels whose mean [`Self::at`] is, with their weights.
     pub fn weights(&self, place: &MapPlace<f64>) -> [(usize, f64); 4] {
-        let (corners, [s, t]) = self.corners(place);
-        let weights = [(1.0 - s) * (1.0 - t), s * (1.0 - t), (1.0 - s) * t, s * t];
-        array::from_fn(|i| (corners[i], weights[i]))
+        let (corners, along) = self.corners(place);
+        bilinear(corners, along)
     }
 
     /// The texels around a place, row by row, and the fractions of the way from the first of them.

@@ -143,13 +143,8 @@ impl Bitmap {
             Corners::One(index) => [(index, 1.0), (index, 0.0), (index, 0.0), (index, 0.0)],
             Corners::Four {
                 rows: [[a, b], [c, d]],
-                along: [s, t],
-            } => [
-                (a, (1.0 - s) * (1.0 - t)),
-                (b, s * (1.0 - t)),
-                (c, (1.0 - s) * t),
-                (d, s * t),
-            ],
+                along,
+            } => bilinear([a, b, c, d], along),
         }
     }
 
@@ -185,6 +180,16 @@ impl Bitmap {
             }
         }
     }
+}
+
+/// The weights of four texels, row by row, at fractions of the way from the first of them.
+pub fn bilinear([a, b, c, d]: [usize; 4], [s, t]: [f64; 2]) -> [(usize, f64); 4] {
+    [
+        (a, (1.0 - s) * (1.0 - t)),
+        (b, s * (1.0 - t)),
+        (c, (1.0 - s) * t),
+        (d, s * t),
+    ]
 }
 
 /// Texels of a bitmap that are seen at a point.
