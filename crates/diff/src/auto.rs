@@ -92,7 +92,8 @@ struct Trials {
     spent: f64,
 }
 
-/// More points in pixels cost little if all of a sample costs less than so many times as much.
+/// More points in pixels cost little if all of a sample costs less than so many times what it does with
+/// one.
 const CHEAP: f64 = 1.5;
 
 /// How many points in a pixel are tried, as long as more are better.
@@ -186,6 +187,7 @@ impl Pilot<'_> {
         // Then more in pixels. Where few of them have edges that move, they have most of the noise, of
         // which a pilot sees little, and more points there cost little.
         let gathers = best.method.traits().gathers;
+        let of_one = best.effort;
         for camera_points in CAMERA_POINTS_TRIED {
             let more = Method::Edges(Gathers {
                 camera_points,
@@ -196,7 +198,8 @@ impl Pilot<'_> {
             let Some(trial) = trial.flatten() else {
                 break;
             };
-            let is_cheap = trial.effort > best.effort && trial.effort < CHEAP * best.effort;
+            // Where there are no edges, more points cost nothing.
+            let is_cheap = trial.effort > of_one && trial.effort < CHEAP * of_one;
             if !is_cheap && !trial.beats_with_all(&best, CLEARLY) {
                 break;
             }
