@@ -53,7 +53,18 @@ impl Sampler {
     /// The numbers of one sample of one pixel.
     #[inline]
     pub fn stream(&self, pixel: u64, sample: u32) -> Stream {
+        self.in_pixel(pixel)(sample)
+    }
+
+    /// Those of the samples of a pixel.
+    #[inline]
+    pub fn in_pixel(&self, pixel: u64) -> impl Fn(u32) -> Stream {
         let pixel_key = mix(self.seed ^ mix(pixel.wrapping_add(GOLDEN)));
+        move |sample| self.of_key(pixel_key, sample)
+    }
+
+    #[inline]
+    fn of_key(&self, pixel_key: u64, sample: u32) -> Stream {
         let hashed = mix(pixel_key ^ u64::from(sample).wrapping_mul(GOLDEN));
         let sobol = match self.kind {
             SamplerKind::Independent => None,

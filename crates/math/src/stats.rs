@@ -36,6 +36,19 @@ impl Moments {
         self.sum_of_squares += other.sum_of_squares + shift * shift * a * b / (a + b);
     }
 
+    /// The moments of so many numbers, from the sums of their differences from one of them and of those
+    /// squared.
+    #[inline]
+    pub fn from_sums(count: u64, from: f64, sum: f64, squares: f64) -> Self {
+        let shift = sum / count as f64;
+        Self {
+            count,
+            mean: from + shift,
+            // Negative only by rounding.
+            sum_of_squares: (squares - sum * shift).max(0.0),
+        }
+    }
+
     /// Unbiased sample variance; NaN for fewer than two numbers.
     pub fn variance(&self) -> f64 {
         if self.count < 2 {
@@ -90,12 +103,20 @@ mod tests {
             numbers.iter().for_each(|&x| moments.add(x));
             moments
         };
-        let mut merged = of(&numbers[..37]);
-        merged.merge(&of(&numbers[37..]));
         let all = of(&numbers);
-        assert_eq!(merged.count, all.count);
-        assert!((merged.mean - all.mean).abs() < 1e-9);
-        assert!((merged.variance() / all.variance() - 1.0).abs() < 1e-9);
+        let [first, last] = [&numbers[..37], &numbers[37..]];
+        // By sums, too.
+        let from = last[5];
+        let differences = last.iter().map(|x| x - from);
+        let squares = differences.clone().map(|x| x * x).sum();
+        let by_sums = Moments::from_sums(63, from, differences.sum(), squares);
+        for last in [of(last), by_sums] {
+            let mut merged = of(first);
+            merged.merge(&last);
+            assert_eq!(merged.count, all.count);
+            assert!((merged.mean - all.mean).abs() < 1e-9);
+            assert!((merged.variance() / all.variance() - 1.0).abs() < 1e-9);
+        }
         let mean = numbers.iter().sum::<f64>() / 100.0;
         let variance = numbers.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / 99.0;
         assert!((all.variance() / variance - 1.0).abs() < 1e-6);

@@ -14,6 +14,7 @@
 //! ([`capwalk_geometry::Bundle`]), which find the same: those with thin faces, surfaces close to each
 //! other, or a camera so near that it is more than two thousandths of a pixel.
 
+mod alike;
 mod frames;
 mod gradient;
 mod kept;
@@ -44,6 +45,7 @@ use crate::prepared::PreparedScene;
 use crate::radiance::{RR_MAX, RR_MIN};
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::{LeavesOut, Tracer};
+use alike::{Alike, FindAlike};
 use kept::Step;
 use lights::{LaneChoices, LaneLights};
 use lit::{Lit, SeenEmitter, SkyPoint};
@@ -83,6 +85,7 @@ struct Paths<'a> {
     drawn: Brdf,
     /// What they hit, or [`NOTHING`], and what those see of an environment map that hit nothing.
     faces: [u32; LANES],
+    alike: Alike,
     sky: [SkyPoint; LANES],
     /// How many rays each has taken.
     rays: [u64; LANES],
@@ -98,17 +101,18 @@ fn last_step(steps: &mut Option<Vec<Step>>) -> Option<&mut Step> {
 
 impl Paths<'_> {
     /// None yet.
-    fn new(stream: Stream) -> Self {
+    fn new(stream: Stream, lights: &LaneLights<'_>) -> Self {
         Self {
             streams: Streams::splat(stream),
             light: Vectors::ZERO,
             throughput: Vectors::ZERO,
             vertices: Vertices::NONE,
             lobes: LaneLobes::new(),
-            choices: LaneChoices::new(),
+            choices: lights.choices(),
             lit: Lit::default(),
             drawn: Brdf::default(),
             faces: [NOTHING; LANES],
+            alike: Alike::NONE,
             sky: [SkyPoint::default(); LANES],
             rays: [0; LANES],
             steps: None,
@@ -133,11 +137,6 @@ impl Paths<'_> {
             let (scattered, events) = (&self.vertices.scattered, self.lobes.events());
             step.set_drawn(is_drawn, &self.drawn, scattered, events);
         }
-    }
-
-    /// Counts a ray of some lanes.
-    fn count_rays(&mut self, lanes: u32) {
-        lanes_of(lanes).for_each(|lane| self.rays[lane] += 1);
     }
 }
 
@@ -206,7 +205,7 @@ impl<'a> LaneTracer<'a> {
             return;
         };
         // Reused: most of it is written anew where it is needed.
-        let mut paths = Paths::new(first.stream);
+        let mut paths = Paths::new(first.stream, &self.lights);
         for places in places.chunks(LANES) {
             self.take_some(places, &mut paths, taken);
         }
@@ -232,11 +231,15 @@ impl<'a> LaneTracer<'a> {
             numbers: &mut film,
         });
         let mut weights = [0.0; LANES];
-        for (lane, place) in places.iter().enumerate() {
-            let support = self.supports.pixel(place.pixel);
-            let s = support.sample(0.0, 0.0, [film[0][lane], film[1][lane]]);
-            (film[0][lane], film[1][lane]) = (s[0], s[1]);
-            weights[lane] = support.weight_over_pdf(s);
+        let mut lane = 0;
+        for places in places.chunk_by(|a, b| a.pixel == b.pixel) {
+            let support = self.supports.pixel(places[0].pixel);
+            for _ in places {
+                let s = support.sample(0.0, 0.0, [film[0][lane], film[1][lane]]);
+                (film[0][lane], film[1][lane]) = (s[0], s[1]);
+                weights[lane] = support.weight_over_pdf(s);
+                lane += 1;
+            }
         }
         let range = self.set_camera_rays(paths, &film, mask);
         paths.light = Vectors::ZERO;
@@ -249,6 +252,7 @@ impl<'a> LaneTracer<'a> {
             mask,
         };
         paths.faces = self.meets.first_hits(&rays);
+        paths.alike = self.alike(&paths.faces, mask);
         paths.rays = [1; LANES];
         paths.seen = [None; LANES];
         if let Some(steps) = &mut paths.steps {
@@ -262,6 +266,18 @@ impl<'a> LaneTracer<'a> {
             ..Sample::default()
         }));
         weights
+    }
+
+    fn alike(&self, faces: &[u32; LANES], lanes: u32) -> Alike {
+        self.instructions.run(FindAlike { faces, lanes })
+    }
+
+    /// Counts a ray of some lanes.
+    fn count_rays(&self, paths: &mut Paths<'_>, lanes: u32) {
+        self.instructions.run(step::CountRays {
+            rays: &mut paths.rays,
+            lanes,
+        });
     }
 
     /// Sets the camera's rays, and gives the distances between which they meet something.
@@ -301,13 +317,18 @@ impl<'a> LaneTracer<'a> {
         let missed = mask_of(mask, |lane| paths.faces[lane] == NOTHING);
         let directions = &paths.vertices.direction;
         (self.lights).see_sky(self.instructions, directions, missed, &mut paths.sky);
-        for lane in lanes_of(mask) {
-            let (origin, direction) = (
-                paths.vertices.origin.get(lane),
-                paths.vertices.direction.get(lane),
-            );
-            let face = paths.faces[lane];
-            if let Some(emitter) = self.scene.emitter_towards(face, direction) {
+        for (face, lanes) in paths.alike.of(mask) {
+            let Some(emitter) = self.scene.emitter_at(face) else {
+                continue;
+            };
+            for lane in lanes_of(lanes) {
+                let (origin, direction) = (
+                    paths.vertices.origin.get(lane),
+                    paths.vertices.direction.get(lane),
+                );
+                if !self.scene.is_in_front(face, direction) {
+                    continue;
+                }
                 let hit = self.scene.hit(face, origin, direction);
                 let seen = self.lights.seen_at(emitter, hit, &paths.sky[lane]);
                 let light = self.lights.radiance(emitter, &seen, origin, direction);
@@ -369,19 +390,16 @@ impl<'a> LaneTracer<'a> {
         let Paths {
             vertices,
             lobes,
-            faces,
+            alike,
             ..
         } = paths;
-        let active = mask_of(active, |lane| faces[lane] != NOTHING);
-        if active == 0 {
-            return 0;
+        let on_faces = || alike.of(active).filter(|&(face, _)| face != NOTHING);
+        for (face, lanes) in on_faces() {
+            self.scene.set_face(face, lanes, vertices);
         }
-        for lane in lanes_of(active) {
-            self.scene.set_face(faces[lane], lane, vertices);
-        }
-        self.instructions.run(step::Surfaces(vertices));
-        mask_of(active, |lane| {
-            self.scene.look_up(faces[lane], lane, vertices, lobes)
+        let front = self.instructions.run(step::Surfaces(vertices));
+        on_faces().fold(0, |found, (face, lanes)| {
+            found | (self.scene).look_up(face, lanes, front, vertices, lobes)
         })
     }
 
@@ -460,7 +478,7 @@ impl<'a> LaneTracer<'a> {
         if let Some(step) = last_step(&mut paths.steps) {
             step.set_lit(seen, lit, &vertices.scattered);
         }
-        paths.count_rays(wanted);
+        self.count_rays(paths, wanted);
     }
 
     /// Draws directions from the surfaces, finds what is there, and adds what emitters send from
@@ -505,23 +523,27 @@ impl<'a> LaneTracer<'a> {
             mask: active,
         };
         paths.faces = self.meets.first_hits(&rays);
-        paths.count_rays(active);
+        paths.alike = self.alike(&paths.faces, active);
+        self.count_rays(paths, active);
         let missed = mask_of(active, |lane| paths.faces[lane] == NOTHING);
         let directions = &paths.drawn.direction;
         (self.lights).see_sky(instructions, directions, missed, &mut paths.sky);
-        for lane in lanes_of(active) {
-            self.add_met(paths, lane);
+        let alike = paths.alike;
+        for (face, lanes) in alike.of(active) {
+            if let Some(emitter) = self.scene.emitter_at(face) {
+                lanes_of(lanes).for_each(|lane| self.add_met(paths, lane, emitter));
+            }
         }
         active
     }
 
     /// Adds what an emitter sends from where a direction drawn from a surface leads.
     #[inline]
-    fn add_met(&self, paths: &mut Paths<'_>, lane: usize) {
+    fn add_met(&self, paths: &mut Paths<'_>, lane: usize, emitter: EmitterId) {
         let (face, direction) = (paths.faces[lane], paths.drawn.direction.get(lane));
-        let Some(emitter) = self.scene.emitter_towards(face, direction) else {
+        if !self.scene.is_in_front(face, direction) {
             return;
-        };
+        }
         let position = paths.vertices.position.get(lane);
         let hit = self.scene.hit(face, position, direction);
         let seen = self.lights.seen_at(emitter, hit, &paths.sky[lane]);

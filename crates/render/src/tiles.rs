@@ -120,6 +120,54 @@ impl PixelSums {
     }
 }
 
+/// Numbers of a pixel that follow each other: their sums need no division.
+#[derive(Clone, Copy)]
+struct Run<const C: usize> {
+    count: u64,
+    /// The first ones.
+    from: [f64; C],
+    /// Of differences from those, and of their squares.
+    sums: [f64; C],
+    squares: [f64; C],
+}
+
+impl<const C: usize> Default for Run<C> {
+    fn default() -> Self {
+        Self {
+            count: 0,
+            from: [0.0; C],
+            sums: [0.0; C],
+            squares: [0.0; C],
+        }
+    }
+}
+
+impl<const C: usize> Run<C> {
+    #[inline]
+    fn add(&mut self, numbers: [f64; C]) {
+        if self.count == 0 {
+            self.from = numbers;
+        }
+        self.count += 1;
+        for i in 0..C {
+            let difference = numbers[i] - self.from[i];
+            self.sums[i] += difference;
+            self.squares[i] += difference * difference;
+        }
+    }
+
+    fn add_to(&self, moments: &mut [Moments]) {
+        if self.count == 0 {
+            return;
+        }
+        for (i, moments) in moments.iter_mut().enumerate() {
+            let Self { count, from, .. } = *self;
+            let run = Moments::from_sums(count, from[i], self.sums[i], self.squares[i]);
+            moments.merge(&run);
+        }
+    }
+}
+
 /// True if a sample's numbers can be averaged.
 fn is_finite(numbers: &[f64]) -> bool {
     numbers.iter().all(|x| x.abs() <= LARGEST_NUMBER)
@@ -261,26 +309,35 @@ pub fn average<const C: usize>(
                 taken.clear();
                 take_some(places, &mut taken);
                 debug_assert_eq!(taken.len(), places.len());
-                for (&(i, number), sample) in of.iter().zip(&taken) {
+                let mut rest = &taken[..];
+                // Those of a pixel follow each other.
+                for of_pixel in of.chunk_by(|a, b| a.0 == b.0) {
+                    let (i, _) = of_pixel[0];
+                    let (samples, others) = rest.split_at(of_pixel.len());
+                    rest = others;
                     let tally = &mut tallies[i];
-                    tally.cone_queries += sample.cone_queries;
-                    tally.uncovered += sample.uncovered;
-                    tally.effort += sample.effort;
-                    if is_finite(&sample.numbers) {
-                        let sums = sum.iter_mut().zip(sample.numbers);
-                        sums.for_each(|(s, x)| *s += x);
-                    } else {
-                        tally.non_finite += 1;
-                    }
-                    count += 1;
-                    if count == group || number + 1 == numbers[i].end {
-                        let moments = &mut moments[i * C..(i + 1) * C];
-                        for (moments, sum) in moments.iter_mut().zip(sum) {
-                            moments.add(sum / f64::from(count));
+                    let mut run = Run::default();
+                    for (&(_, number), sample) in of_pixel.iter().zip(samples) {
+                        tally.cone_queries += sample.cone_queries;
+                        tally.uncovered += sample.uncovered;
+                        tally.effort += sample.effort;
+                        if is_finite(&sample.numbers) {
+                            let sums = sum.iter_mut().zip(sample.numbers);
+                            sums.for_each(|(s, x)| *s += x);
+                        } else {
+                            tally.non_finite += 1;
                         }
-                        tally.samples += count;
-                        (sum, count) = ([0.0; C], 0);
+                        count += 1;
+                        if count == group || number + 1 == numbers[i].end {
+                            if count > 1 {
+                                sum = sum.map(|sum| sum / f64::from(count));
+                            }
+                            run.add(sum);
+                            tally.samples += count;
+                            (sum, count) = ([0.0; C], 0);
+                        }
                     }
+                    run.add_to(&mut moments[i * C..(i + 1) * C]);
                 }
                 of.clear();
                 places.clear();
@@ -288,11 +345,12 @@ pub fn average<const C: usize>(
             for (i, range) in numbers.iter().enumerate() {
                 let pixel = first + i as u32;
                 let place = [pixel % width, pixel / width];
+                let stream = sampler.in_pixel(u64::from(pixel));
                 for number in range.clone() {
                     of.push((i, number));
                     places.push(SamplePlace {
                         pixel: place,
-                        stream: sampler.stream(u64::from(pixel), number),
+                        stream: stream(number),
                     });
                     if places.len() == TOGETHER {
                         take_all(&mut of, &mut places);

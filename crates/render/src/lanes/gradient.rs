@@ -30,7 +30,7 @@ impl LaneTracer<'_> {
         let Some(first) = places.first() else {
             return;
         };
-        let mut paths = Paths::new(first.stream);
+        let mut paths = Paths::new(first.stream, &self.lights);
         paths.steps = Some(Vec::new());
         let chunks = places.chunks(LANES).zip(covectors.chunks(LANES));
         for (chunk, (places, covectors)) in chunks.enumerate() {

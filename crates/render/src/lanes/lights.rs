@@ -54,17 +54,9 @@ struct Kind<'a> {
 /// Which emitters surfaces choose.
 pub struct LaneChoices {
     choices: [EmitterChoice; LANES],
+    /// True if all emitters are alike in all lanes.
+    are_alike: bool,
     rectangles: Rectangles,
-}
-
-impl LaneChoices {
-    /// None yet.
-    pub fn new() -> Self {
-        Self {
-            choices: std::array::from_fn(|_| EmitterChoice::alike(0)),
-            rectangles: Rectangles::NONE,
-        }
-    }
 }
 
 impl<'a> LaneLights<'a> {
@@ -118,6 +110,25 @@ impl<'a> LaneLights<'a> {
         self.only.filter(|_| self.sampling.emitter_samples > 0)
     }
 
+    /// No choices yet.
+    pub fn choices(&self) -> LaneChoices {
+        let mut rectangles = Rectangles::NONE;
+        if let [
+            Kind {
+                rectangle: Some(rectangle),
+                ..
+            },
+        ] = &self.kinds[..]
+        {
+            rectangles.fill(&rectangle.rectangle);
+        }
+        LaneChoices {
+            choices: std::array::from_fn(|_| EmitterChoice::alike(self.samplers.len())),
+            are_alike: true,
+            rectangles,
+        }
+    }
+
     /// True if numbers of an emitter are asked for.
     pub fn is_asked_for(&self, emitter: EmitterId) -> bool {
         self.asked[emitter.0 as usize]
@@ -132,12 +143,19 @@ impl<'a> LaneLights<'a> {
         [lanes, on_emitters]: [u32; 2],
     ) {
         let count = self.samplers.len();
+        let by_light = match count == 1 || self.sampling.alike {
+            true => 0,
+            false => lanes & on_emitters,
+        };
+        if by_light == 0 && choices.are_alike {
+            return;
+        }
+        choices.are_alike = false;
         for lane in lanes_of(lanes) {
-            let is_alike = count == 1 || self.sampling.alike || on_emitters >> lane & 1 == 0;
             let choice = &mut choices.choices[lane];
-            match is_alike {
-                true => choice.make_alike(count),
-                false => {
+            match by_light >> lane & 1 {
+                0 => choice.make_alike(count),
+                _ => {
                     let receiver = lobes.receiver(vertices, lane);
                     let id = |i| EmitterId(i as u32);
                     *choice =
@@ -163,11 +181,9 @@ impl<'a> LaneLights<'a> {
             // There is nothing to choose.
             [
                 Kind {
-                    rectangle: Some(rectangle),
-                    ..
+                    rectangle: Some(_), ..
                 },
             ] => {
-                choices.rectangles.fill(&rectangle.rectangle);
                 lit.emitters = [EmitterId(0); LANES];
                 lit.inverse_density = [1.0 / f64::from(self.sampling.emitter_samples); LANES];
                 [lanes, 0]

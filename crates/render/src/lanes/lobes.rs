@@ -109,12 +109,11 @@ impl<'a> LaneLobes<'a> {
         }
     }
 
-    /// Removes those of a lane: its surface is diffuse, or black.
+    /// Removes those of some lanes: their surfaces are diffuse, or black.
     #[inline]
-    pub fn clear(&mut self, lane: usize) {
-        let others = !(1 << lane);
-        self.with_lobes &= others;
-        self.rough_lanes &= others;
+    pub fn clear(&mut self, lanes: u32) {
+        self.with_lobes &= !lanes;
+        self.rough_lanes &= !lanes;
     }
 
     /// Sets those of a lane that had none, the same all over its shape; the tangent is along the

@@ -2,6 +2,7 @@
 
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::Hit;
+use capwalk_geometry::simd::Instructions;
 use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf, Side};
 use capwalk_scene::resolve::Constants;
@@ -11,10 +12,14 @@ use capwalk_scene::{
 
 use crate::lanes::lobes::{LaneLobes, Lobes};
 use crate::lanes::scattered::{Arriving, AskedNumber, OnTexture, Place, Scatterer, asked_numbers};
-use crate::lanes::step::Vertices;
+use crate::lanes::step::{SetDiffuse, SetFace, Vertices};
+use crate::lanes::vectors::{lanes_of, mask_of};
 use crate::path_adjoint::PathAdjoint;
 use crate::scene_eval::Primal;
 use crate::shading::Textures;
+
+/// So many lanes are set at once, fewer one by one.
+const MANY: u32 = 8;
 
 /// No face.
 pub const NOTHING: u32 = u32::MAX;
@@ -26,6 +31,7 @@ pub struct LaneScene<'a> {
     /// Which numbers derivatives are asked for with respect to.
     is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
     shapes: Vec<ShapeOfLanes>,
+    instructions: Instructions,
 }
 
 /// What a shape's sides scatter: the one that its normal points to, and the other.
@@ -79,6 +85,7 @@ impl<'a> LaneScene<'a> {
             primal: Primal(accel),
             is_asked_for,
             shapes: accel.scene.shapes.iter().enumerate().map(shape).collect(),
+            instructions: Instructions::detect(),
         }
     }
 
@@ -88,15 +95,19 @@ impl<'a> LaneScene<'a> {
         (id, &self.shapes[id.0 as usize])
     }
 
-    /// The emitter that a ray sees that hits a face, or nothing.
+    /// The emitter of a face, or what is seen where nothing is met.
     #[inline]
-    pub fn emitter_towards(&self, face: u32, direction: Vec3) -> Option<EmitterId> {
-        if face == NOTHING {
-            return self.accel.scene.environment();
+    pub fn emitter_at(&self, face: u32) -> Option<EmitterId> {
+        match face {
+            NOTHING => self.accel.scene.environment(),
+            _ => self.shape_of(face).1.emitter,
         }
-        let emitter = self.shape_of(face).1.emitter?;
-        let front = self.accel.mesh.face_cross(face as usize).dot(direction) < 0.0;
-        front.then_some(emitter)
+    }
+
+    /// True if a ray in a direction meets the front of a face, or nothing.
+    #[inline]
+    pub fn is_in_front(&self, face: u32, direction: Vec3) -> bool {
+        face == NOTHING || self.accel.mesh.face_cross(face as usize).dot(direction) < 0.0
     }
 
     /// Where a ray meets the plane of the face that it hits.
@@ -118,52 +129,110 @@ impl<'a> LaneScene<'a> {
         })
     }
 
-    /// Looks up the face that a path hits.
+    /// Looks up the face that some paths hit.
     #[inline]
-    pub fn set_face(&self, face: u32, lane: usize, vertices: &mut Vertices) {
-        let [a, b, c] = self.accel.mesh.corners(face as usize);
-        vertices.corner.set(lane, a);
-        vertices.edges[0].set(lane, b - a);
-        vertices.edges[1].set(lane, c - a);
+    pub fn set_face(&self, face: u32, lanes: u32, vertices: &mut Vertices) {
+        let corners = self.accel.mesh.corners(face as usize);
+        if lanes.count_ones() >= MANY {
+            return self.instructions.run(SetFace {
+                corners,
+                lanes,
+                vertices,
+            });
+        }
+        let [a, b, c] = corners;
+        for lane in lanes_of(lanes) {
+            vertices.corner.set(lane, a);
+            vertices.edges[0].set(lane, b - a);
+            vertices.edges[1].set(lane, c - a);
+        }
     }
 
-    /// Looks up what the face scatters that a path hits, where its position is known; false if it
-    /// scatters nothing. What is not diffuse goes to `lobes`.
-    #[inline]
+    /// Looks up what the face scatters that some paths hit, where their positions are known; one bit for
+    /// each where it scatters something. `front` has one for each that sees the side of its normal. What
+    /// is not diffuse goes to `lobes`.
     pub fn look_up<'s>(
         &'s self,
         face: u32,
-        lane: usize,
+        lanes: u32,
+        front: u32,
         vertices: &mut Vertices,
         lobes: &mut LaneLobes<'s>,
-    ) -> bool {
-        let (outward, place) = self.seen(face, lane, vertices);
-        vertices.outward.set(lane, outward);
-        lobes.clear(lane);
-        let (side, albedo) = match &self.shape_of(face).1.sides[place] {
-            Scattering::Nothing => return false,
-            // What is diffuse from behind is the front of the back of a two-sided material.
-            Scattering::Diffuse(albedo) => ([1.0, -1.0][place], *albedo),
+    ) -> u32 {
+        let shape = self.shape_of(face).1;
+        let mut first = lanes & front;
+        if shape.has_normals {
+            for lane in lanes_of(lanes) {
+                let (outward, out) = self.normal(face, lane, vertices);
+                vertices.outward.set(lane, outward);
+                if out < 0.0 {
+                    first ^= 1 << lane;
+                }
+            }
+        }
+        lobes.clear(lanes);
+        let mut found = 0;
+        for (place, lanes) in [first, lanes & !first].into_iter().enumerate() {
+            if lanes != 0 {
+                found |= self.look_up_side((face, shape, place), lanes, vertices, lobes);
+            }
+        }
+        found
+    }
+
+    /// What one of the sides of a face scatters.
+    fn look_up_side<'s>(
+        &'s self,
+        (face, shape, place): (u32, &'s ShapeOfLanes, usize),
+        lanes: u32,
+        vertices: &mut Vertices,
+        lobes: &mut LaneLobes<'s>,
+    ) -> u32 {
+        // What is diffuse from behind is the front of the back of a two-sided material.
+        let side = [1.0, -1.0][place];
+        match &shape.sides[place] {
+            Scattering::Nothing => return 0,
+            Scattering::Diffuse(reflectance) if lanes.count_ones() >= MANY => {
+                self.instructions.run(SetDiffuse {
+                    reflectance: *reflectance,
+                    side,
+                    lanes,
+                    vertices,
+                });
+            }
+            Scattering::Diffuse(reflectance) => {
+                for lane in lanes_of(lanes) {
+                    vertices.side[lane] = side;
+                    vertices.scattered.set_colour(lane, *reflectance);
+                }
+            }
             Scattering::Textured(id) => {
-                ([1.0, -1.0][place], self.texture(*id, face, lane, vertices))
+                for lane in lanes_of(lanes) {
+                    let reflectance = self.texture(*id, face, lane, vertices);
+                    vertices.side[lane] = side;
+                    vertices.scattered.set_colour(lane, reflectance);
+                }
             }
             Scattering::Lobes(found) => {
-                lobes.set(lane, found, self.tangent(face, lane, vertices));
-                (found.front, Rgb::zero())
+                for lane in lanes_of(lanes) {
+                    lobes.set(lane, found, self.tangent(face, lane, vertices));
+                    vertices.side[lane] = found.front;
+                    vertices.scattered.set(lane, Vec3::zero());
+                }
             }
             Scattering::Differing => {
                 let seen = [Side::Front, Side::Back][place];
-                let tangent = self.tangent(face, lane, vertices);
-                let find = |bsdf: &mut _| self.resolve(face, lane, vertices, seen, bsdf);
-                let Some(front) = lobes.set_own(lane, tangent, find) else {
-                    return false;
-                };
-                (front, Rgb::zero())
+                return mask_of(lanes, |lane| {
+                    let tangent = self.tangent(face, lane, vertices);
+                    let find = |bsdf: &mut _| self.resolve(face, lane, vertices, seen, bsdf);
+                    let front = lobes.set_own(lane, tangent, find);
+                    vertices.side[lane] = front.unwrap_or(1.0);
+                    vertices.scattered.set(lane, Vec3::zero());
+                    front.is_some()
+                });
             }
-        };
-        vertices.side[lane] = side;
-        vertices.scattered.set_colour(lane, albedo);
-        true
+        }
+        lanes
     }
 
     /// True if numbers of the material of a face are asked for.

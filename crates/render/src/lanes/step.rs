@@ -6,12 +6,12 @@ use std::f64::consts::FRAC_1_PI;
 
 use capwalk_boundary::Streams;
 use capwalk_geometry::simd::{Computation, Simd};
-use capwalk_math::{Frame, Vec3};
+use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::sample_cosine;
 use capwalk_scene::sensor::view::View;
 
 use crate::lanes::lit::Lit;
-use crate::lanes::vectors::{ALL, LANES, Numbers, Vectors, mask_of};
+use crate::lanes::vectors::{ALL, LANES, Numbers, Vectors, fill, mask_of};
 use crate::light::NARROW;
 use crate::triangle_sampler::Node;
 
@@ -67,6 +67,67 @@ fn film_rays(
     }
 }
 
+/// Sets the face that some lanes hit.
+pub struct SetFace<'a> {
+    pub corners: [Vec3; 3],
+    pub lanes: u32,
+    pub vertices: &'a mut Vertices,
+}
+
+impl Computation for SetFace<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let Self {
+            corners: [a, b, c],
+            lanes,
+            vertices,
+        } = self;
+        vertices.corner.fill(lanes, a.to_array());
+        vertices.edges[0].fill(lanes, (b - a).to_array());
+        vertices.edges[1].fill(lanes, (c - a).to_array());
+    }
+}
+
+/// Sets the fraction of light that a side of diffuse surfaces reflects, 1 or -1, in some lanes.
+pub struct SetDiffuse<'a> {
+    pub reflectance: Rgb,
+    pub side: f64,
+    pub lanes: u32,
+    pub vertices: &'a mut Vertices,
+}
+
+impl Computation for SetDiffuse<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        let Self {
+            reflectance,
+            side,
+            lanes,
+            vertices,
+        } = self;
+        vertices.scattered.fill(lanes, reflectance.to_array());
+        fill(&mut vertices.side, lanes, side);
+    }
+}
+
+/// Counts a ray of some lanes.
+pub struct CountRays<'a> {
+    pub rays: &'a mut [u64; LANES],
+    pub lanes: u32,
+}
+
+impl Computation for CountRays<'_> {
+    type Output = ();
+    #[inline(always)]
+    fn run<S: Simd>(self, _: S) {
+        for (lane, rays) in self.rays.iter_mut().enumerate() {
+            *rays += u64::from(self.lanes >> lane & 1);
+        }
+    }
+}
+
 /// Where paths hit surfaces.
 #[derive(Clone, Copy, Debug)]
 pub struct Vertices {
@@ -76,8 +137,8 @@ pub struct Vertices {
     /// A corner of the face, and the edges from there to the others.
     pub corner: Vectors,
     pub edges: [Vectors; 2],
-    /// The unit shading normal on the outside, and 1 or -1 for the side of it that is the front of
-    /// the material that is seen.
+    /// The unit shading normal on the outside ([`Surfaces`] sets that of the face), and 1 or -1 for the
+    /// side of it that is the front of the material that is seen.
     pub outward: Vectors,
     pub side: Numbers,
     /// Fractions of light that are reflected, where surfaces are diffuse; else what their lobes
@@ -134,10 +195,16 @@ impl Vertices {
 pub struct Surfaces<'a>(pub &'a mut Vertices);
 
 impl Computation for Surfaces<'_> {
-    type Output = ();
+    /// One bit for each face whose normal by its winding is on the side that is seen.
+    type Output = u32;
     #[inline(always)]
-    fn run<S: Simd>(self, _: S) {
+    fn run<S: Simd>(self, _: S) -> u32 {
         surfaces(self.0);
+        let mut front = 0;
+        for (lane, &seen) in self.0.seen.iter().enumerate() {
+            front |= u32::from(seen > 0.0) << lane;
+        }
+        front
     }
 }
 
@@ -156,9 +223,9 @@ fn surfaces(vertices: &mut Vertices) {
         let position = origin + direction * t;
         let offset = position - corner;
         vertices.position.set(lane, position);
-        vertices
-            .face_normal
-            .set(lane, cross * (1.0 / squared.sqrt()));
+        let normal = cross * (1.0 / squared.sqrt());
+        vertices.face_normal.set(lane, normal);
+        vertices.outward.set(lane, normal);
         vertices.seen[lane] = if rise > 0.0 { -1.0 } else { 1.0 };
         // Weights are the areas opposite to the corners.
         vertices.weights[0][lane] = offset.cross(ac).dot(cross) / squared;
@@ -352,7 +419,7 @@ fn draw(vertices: &Vertices, [first, second]: &[Numbers; 2], drawn: &mut Brdf) {
 mod tests {
     use capwalk_boundary::Sampler;
     use capwalk_geometry::simd::Instructions;
-    use capwalk_math::{Affine, Rgb};
+    use capwalk_math::Affine;
     use capwalk_scene::builtin;
     use capwalk_scene::primitive::rectangle;
 

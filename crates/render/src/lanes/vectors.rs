@@ -58,11 +58,28 @@ impl Vectors {
         self.set(lane, colour.to_array().into());
     }
 
+    /// Sets those of some lanes to the same.
+    #[inline(always)]
+    pub fn fill(&mut self, lanes: u32, [x, y, z]: [f64; 3]) {
+        fill(&mut self.0[0], lanes, x);
+        fill(&mut self.0[1], lanes, y);
+        fill(&mut self.0[2], lanes, z);
+    }
+
     /// Sets that of a lane.
     #[inline(always)]
     pub fn set(&mut self, lane: usize, v: Vec3) {
         let [x, y, z] = &mut self.0;
         (x[lane], y[lane], z[lane]) = (v.x, v.y, v.z);
+    }
+}
+
+/// Sets the numbers of some lanes to the same.
+#[inline(always)]
+pub fn fill(numbers: &mut Numbers, lanes: u32, x: f64) {
+    for (lane, number) in numbers.iter_mut().enumerate() {
+        let is_asked = lanes >> lane & 1 == 1;
+        *number = if is_asked { x } else { *number };
     }
 }
 
