@@ -42,14 +42,14 @@ impl Vector for Vec3 {
     }
 }
 
-/// The boundary point closest to a point of the domain.
+/// The boundary point that limits the ball around a point of the domain: in most domains the closest.
 #[derive(Clone, Copy, Debug)]
 pub struct Nearest<S, V> {
     /// The boundary point, as the domain names it.
     pub site: S,
     /// Its place in the domain.
     pub point: V,
-    /// Its distance along the domain.
+    /// The radius of the largest ball that it allows: in most domains its distance.
     pub distance: f64,
 }
 
@@ -64,14 +64,23 @@ pub trait Domain {
     /// How a boundary point is named: enough for a caller to know its velocity.
     type Site: Copy;
 
-    /// The closest boundary point nearer than `limit`, Eqs. (15) and (29).
+    /// The boundary point that allows the smallest ball, of a radius below `limit`, Eqs. (15) and (29). The radius
+    /// is any function of `x` that is continuous, positive off the boundary, and zero on it.
     fn closest(&self, x: Self::Vector, limit: f64) -> Option<Nearest<Self::Site, Self::Vector>>;
 
-    /// Distance of two points along the domain: radians on the sphere.
-    fn distance(&self, x: Self::Vector, y: Self::Vector) -> f64;
+    /// The radius that a boundary point allows at another point, if that is known without a search; the smallest
+    /// there is at most that.
+    fn radius_at(&self, x: Self::Vector, known: &Nearest<Self::Site, Self::Vector>) -> Option<f64>;
 
-    /// The unit tangent at `x` towards `y`.
-    fn towards(&self, x: Self::Vector, y: Self::Vector) -> Self::Vector;
+    /// True if the radius differs between two points by no more than their distance: then it is known far from all
+    /// boundaries that a walk ends at none.
+    fn is_distance(&self) -> bool {
+        true
+    }
+
+    /// How the radius grows at `x`, where it is that of a boundary point; for a distance, the unit tangent away from
+    /// that point.
+    fn growth(&self, x: Self::Vector, nearest: &Nearest<Self::Site, Self::Vector>) -> Self::Vector;
 
     /// A uniformly distributed unit tangent at `x`; `azimuth + 0.5` (modulo 1)
     /// gives the opposite one.

@@ -49,10 +49,17 @@ impl<S: Copy, V: Vector> FieldSample<S, V> {
     /// The same sample with the boundary points described in another way.
     #[inline]
     pub fn map<T: Copy>(&self, f: impl Fn(&S) -> T) -> FieldSample<T, V> {
+        self.filter_map(|site| Some(f(site)))
+    }
+
+    /// The part of it that is of some boundary points, described in another way.
+    #[inline]
+    pub fn filter_map<T: Copy>(&self, f: impl Fn(&S) -> Option<T>) -> FieldSample<T, V> {
         FieldSample {
             terms: self.terms.map(|term| {
-                term.map(|term| Term {
-                    site: f(&term.site),
+                let term = term?;
+                Some(Term {
+                    site: f(&term.site)?,
                     weight: term.weight,
                     gradient: term.gradient,
                 })

@@ -12,8 +12,8 @@
 //! ```
 //!
 //! with `κ = |rim|/|ball|`, `e(z)` the unit tangent towards the rim point `z`,
-//! and `g = ∇A` pointing away from the closest boundary point (Eqs. 27 and 34
-//! after working out the rim's motion). Summed over an orthonormal basis of
+//! and `g = ∇A`, where `A` is a distance pointing away from the closest boundary point (Eqs. 27
+//! and 34 after working out the rim's motion). Summed over an orthonormal basis of
 //! tangents this is the divergence, Eq. (21), up to the domain's curvature:
 //!
 //! ```text
@@ -105,18 +105,16 @@ pub fn sample_field<D: Domain>(
     let mut sample = FieldSample::zero(domain.curvature(x));
     // The largest empty ball around x, Eqs. (15) and (29). If no boundary lies within
     // the distance of the whole walk, the field is zero in all of the ball.
-    let Some(nearest) = domain.closest(x, max_distance(settings, settings.steps)) else {
+    let nearest = domain.closest(x, max_distance(domain, settings, settings.steps));
+    if nearest.is_none() && domain.is_distance() {
         return sample;
-    };
-    let within = nearest.distance < settings.max_radius;
-    let radius = nearest.distance.min(settings.max_radius); // A
+    }
+    let near = nearest.filter(|nearest| nearest.distance < settings.max_radius);
+    let radius = near.map_or(settings.max_radius, |nearest| nearest.distance); // A
     let kappa = domain.rim_over_ball(radius); // κ = |rim|/|ball|
-    // g = ∇A: the radius grows away from the closest boundary point. A limited radius
+    // g = ∇A: a distance grows away from the closest boundary point. A limited radius
     // does not change with x.
-    let g = match within {
-        true => -domain.towards(x, nearest.point),
-        false => D::Vector::ZERO,
-    };
+    let g = near.map_or(D::Vector::ZERO, |nearest| domain.growth(x, &nearest));
     let walker = Walker {
         domain,
         settings,
@@ -150,16 +148,17 @@ pub fn sample_field<D: Domain>(
         // the derivative it has the covector -κ g. That at z has κ (e + g).
         let steps = settings.steps - 1;
         let gradient_y = g * (-kappa * share);
-        let value_y = walker.value(y, steps, Some(nearest), later);
+        let value_y = walker.value(y, steps, nearest, later);
         sample.add(value_y, share, gradient_y);
         let gradient_z = (e + g) * (kappa * share);
-        let value_z = walker.value(z, steps, Some(nearest), LATER);
+        let value_z = walker.value(z, steps, nearest, LATER);
         sample.add(value_z, 0.0, gradient_z);
     }
     // The anchor c is the velocity at the closest boundary point, Eq. (18): its covector
     // is -κ E[e]. Beyond the largest radius it is zero, like that of absent boundaries.
-    if settings.estimator == Estimator::Anchored && within {
-        sample.add(Some(nearest.site), 0.0, mean_e * -kappa);
+    if settings.estimator == Estimator::Anchored {
+        let anchor = near.map(|nearest| nearest.site);
+        sample.add(anchor, 0.0, mean_e * -kappa);
     }
     sample
 }
@@ -182,9 +181,13 @@ pub fn sample_value<D: Domain>(
 
 /// The distance within which a walk of `steps` steps can end: each step moves it by at
 /// most `max_radius`, and the last query asks as far. If there is no boundary within,
-/// the field of `steps` steps is zero.
-fn max_distance(settings: &WalkSettings, steps: u32) -> f64 {
-    settings.max_radius * f64::from(steps + 1)
+/// the field of `steps` steps is zero. Where the radius is no distance, what is near says nothing of
+/// what the walk comes to, and only the radius is asked for.
+fn max_distance<D: Domain>(domain: &D, settings: &WalkSettings, steps: u32) -> f64 {
+    match domain.is_distance() {
+        true => settings.max_radius * f64::from(steps + 1),
+        false => settings.max_radius,
+    }
 }
 
 struct Walker<'a, D: Domain, R> {
@@ -208,11 +211,9 @@ impl<D: Domain, R: Fn(u32) -> f64> Walker<'_, D, R> {
         for step in (0..=steps).rev() {
             // The last query only asks what is within max_radius; those before it also
             // decide whether the rest of the walk can be skipped.
-            let far = max_distance(self.settings, step);
-            let bound = match known {
-                Some(nearest) => far.min(self.domain.distance(x, nearest.point)),
-                None => far,
-            };
+            let far = max_distance(self.domain, self.settings, step);
+            let known_radius = known.and_then(|nearest| self.domain.radius_at(x, &nearest));
+            let bound = known_radius.map_or(far, |radius| far.min(radius));
             let found = self.domain.closest(x, bound);
             // The closest boundary point: the one found, or the known one if nothing is
             // nearer and it is within reach. Without either the velocity is zero.
@@ -221,16 +222,16 @@ impl<D: Domain, R: Fn(u32) -> f64> Walker<'_, D, R> {
                     distance: bound,
                     ..nearest
                 })
-            })?;
+            });
             // After the last step the walk ends at the closest boundary point, Eqs. (18)
             // and (31).
-            if step == 0 {
-                return Some(nearest.site);
+            if step == 0 || (nearest.is_none() && self.domain.is_distance()) {
+                return Some(nearest?.site);
             }
             // Otherwise it steps to a uniform point of the largest empty ball, Eqs. (20)
             // and (32).
-            known = Some(nearest);
-            let radius = nearest.distance.min(max_radius);
+            known = nearest;
+            let radius = nearest.map_or(max_radius, |nearest| nearest.distance.min(max_radius));
             let e = self.domain.tangent(x, (self.random)(dimension));
             let inside = self
                 .domain

@@ -68,13 +68,13 @@ impl<F: Fn(&SilhouettePoint) -> bool> Domain for Sphere<'_, F> {
     }
 
     #[inline]
-    fn distance(&self, q: Vec3, y: Vec3) -> f64 {
-        sphere::angle_between(q, y)
+    fn radius_at(&self, q: Vec3, known: &Nearest<SilhouettePoint, Vec3>) -> Option<f64> {
+        Some(sphere::angle_between(q, known.point))
     }
 
     #[inline]
-    fn towards(&self, q: Vec3, y: Vec3) -> Vec3 {
-        sphere::tangent_towards(q, y)
+    fn growth(&self, q: Vec3, nearest: &Nearest<SilhouettePoint, Vec3>) -> Vec3 {
+        -sphere::tangent_towards(q, nearest.point)
     }
 
     #[inline]

@@ -4,7 +4,7 @@
 
 use capwalk_geometry::{Edge, Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Frame, Moments, Vec3, sphere};
-use capwalk_walk::{Domain, Estimator, Sphere, WalkSettings, sample_field, sample_value};
+use capwalk_walk::{Estimator, Sphere, WalkSettings, sample_field, sample_value};
 
 mod common;
 use common::{assert_mean, number, random};
@@ -266,7 +266,7 @@ fn derivatives_are_differences_of_the_field() {
     let domain = scene.domain();
     let a = Vec3::new(0.02, -0.03, 1.0).normalized();
     // Away from the closest edge, whose velocity has a large part along `onto`.
-    let e = domain.towards(a, Vec3::new(-0.05, 0.15, 1.0).normalized());
+    let e = sphere::tangent_towards(a, Vec3::new(-0.05, 0.15, 1.0).normalized());
     let (angle, onto) = (0.1, Vec3::new(1.0, 0.2, -0.1));
     let velocity = |site: &SilhouettePoint| scene.velocity(site);
     for (steps, max_radius, estimator) in [

@@ -126,7 +126,7 @@ fn triangle<'a>(
 mod tests {
     use super::*;
     use capwalk_boundary::{Counts, Draw, FlowSource, Sampler};
-    use capwalk_math::Moments;
+    use capwalk_math::{Moments, sphere};
     use capwalk_scene::builtin;
     use capwalk_walk::{Domain, Estimator};
 
@@ -176,7 +176,7 @@ mod tests {
                 };
                 meets += u32::from(a.site != TriangleBoundary::Border);
                 let change = (a.distance - b.distance).abs();
-                let angle = triangle.distance(at(step), at(step + 1));
+                let angle = sphere::angle_between(at(step), at(step + 1));
                 assert!(change < angle + 1e-12, "{row}, {step}: {change} > {angle}");
             }
         }

@@ -33,12 +33,12 @@ impl Domain for Interval {
         })
     }
 
-    fn distance(&self, x: f64, y: f64) -> f64 {
-        (x - y).abs()
+    fn radius_at(&self, x: f64, known: &Nearest<End, f64>) -> Option<f64> {
+        Some((x - known.point).abs())
     }
 
-    fn towards(&self, x: f64, y: f64) -> f64 {
-        (y - x).signum()
+    fn growth(&self, x: f64, nearest: &Nearest<End, f64>) -> f64 {
+        (x - nearest.point).signum()
     }
 
     fn tangent(&self, _x: f64, azimuth: f64) -> f64 {

@@ -114,12 +114,12 @@ impl Domain for Plane {
         best
     }
 
-    fn distance(&self, x: Vec2, y: Vec2) -> f64 {
-        (y - x).length()
+    fn radius_at(&self, x: Vec2, known: &Nearest<CurvePoint, Vec2>) -> Option<f64> {
+        Some((x - known.point).length())
     }
 
-    fn towards(&self, x: Vec2, y: Vec2) -> Vec2 {
-        (y - x).normalized()
+    fn growth(&self, x: Vec2, nearest: &Nearest<CurvePoint, Vec2>) -> Vec2 {
+        (x - nearest.point).normalized()
     }
 
     fn tangent(&self, _x: Vec2, azimuth: f64) -> Vec2 {

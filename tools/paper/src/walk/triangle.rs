@@ -3,7 +3,7 @@
 
 use capwalk_geometry::SilhouettePoint;
 use capwalk_geometry::edge::closest_direction;
-use capwalk_math::Vec3;
+use capwalk_math::{Vec3, sphere};
 use capwalk_walk::{Domain, Nearest, Sphere};
 
 /// The directions from a point to a triangle, bounded by the triangle's own border
@@ -57,12 +57,12 @@ impl<F: Fn(&SilhouettePoint) -> bool> Domain for Triangle<'_, F> {
     }
 
     #[inline]
-    fn distance(&self, q: Vec3, y: Vec3) -> f64 {
-        self.sphere.distance(q, y)
+    fn radius_at(&self, q: Vec3, known: &Nearest<TriangleBoundary, Vec3>) -> Option<f64> {
+        Some(sphere::angle_between(q, known.point))
     }
     #[inline]
-    fn towards(&self, q: Vec3, y: Vec3) -> Vec3 {
-        self.sphere.towards(q, y)
+    fn growth(&self, q: Vec3, nearest: &Nearest<TriangleBoundary, Vec3>) -> Vec3 {
+        -sphere::tangent_towards(q, nearest.point)
     }
     #[inline]
     fn tangent(&self, q: Vec3, azimuth: f64) -> Vec3 {
