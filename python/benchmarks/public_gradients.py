@@ -5,9 +5,8 @@ against finite differences.
 
 CAPWALK is the program, FOLDER has the repositories `mitsuba-data` and `mitsuba-tutorials`. In each
 of the scenes below one shape moves along an axis, and `capwalk check` compares the derivative of
-the image, N pixels wide or high, with differences, in S seconds. If the derivative is refused for
-what is seen in curved mirrors or through glass, it is checked again without that
-(`--allow-missing specular`). What is printed is a table in Markdown."""
+the image, N pixels wide or high, with differences, in S seconds. What is printed is a table in
+Markdown."""
 
 from __future__ import annotations
 
@@ -61,7 +60,7 @@ def main() -> None:
     parser.add_argument("--side", type=int, default=48)
     chosen = parser.parse_args()
     counts: Counter[str] = Counter()
-    print("| scene | what moves | verdict | scale factor | left out | spp |\n|---|---|---|---|---|---|")
+    print("| scene | what moves | verdict | scale factor | spp |\n|---|---|---|---|---|")
     for file, parameter in SCENES:
         if chosen.only in file:
             path = chosen.folder / file
@@ -77,7 +76,7 @@ def checked(
     """The verdict on the derivative of a scene, and the rest of its row."""
     info, error = run([capwalk, "info", str(file), "--json"])
     if info is None:
-        return "not loaded", f"- | not loaded: {error.splitlines()[0]} | - | - | -"
+        return "not loaded", f"- | not loaded: {error.splitlines()[0]} | - | -"
     shapes = [shape for shape in info["shapes"] if shape["emits"] is None]
     most = max(shapes, key=lambda shape: shape["triangles"])["id"]
     parameter = parameter.format(most=most)
@@ -87,26 +86,18 @@ def checked(
         command = [capwalk, "check", str(file), "-p", parameter, "--size", size, "--json"]
         command += ["-o", f"{folder}/check.npz", "--spp"]
         result, error = run([*command, str(FIRST_SPP)])
-        options = []
-        if result is None and "--allow-missing specular" in error:
-            options = ["--allow-missing", "specular"]
-            result, error = run([*command, str(FIRST_SPP), *options])
         if result is not None:
             taken = sum(result[image]["seconds"] for image in ("gradient", "reference"))
             spp = round(FIRST_SPP * seconds / taken)
             if spp > 2 * FIRST_SPP:
-                result, error = run([*command, str(spp), *options])
+                result, error = run([*command, str(spp)])
     if result is None:
-        return "refused", f"{parameter} | refused: {error.splitlines()[0]} | - | - | -"
+        return "refused", f"{parameter} | refused: {error.splitlines()[0]} | - | -"
     found = result["comparison"]
     kind = found["verdict"]
-    if kind == "partial":
-        kind += f", the rest {found['verdict_of_rest']}"
     factor, factor_error = found["scale_factor"], found["scale_factor_error"]
-    missing = result["gradient"]["missing"]
-    share = "-" if missing is None else f"{missing['share']:.2%} of the radiance"
     factor = f"{number(factor)} ± {number(factor_error)}"
-    return kind, f"{parameter} | {kind} | {factor} | {share} | {result['spp']}"
+    return kind, f"{parameter} | {kind} | {factor} | {result['spp']}"
 
 
 def number(value: float | None) -> str:

@@ -6,10 +6,9 @@
 CAPWALK is the program. Each scene has a floor, sometimes walls, one to four shapes with materials of
 all kinds, one or two emitters of all kinds, and a camera; something in it moves or changes colour.
 `capwalk check` compares the derivative of its image with central differences, with as many samples
-as S seconds of the CPU allow, and at least 16. A derivative that is refused for what
-is seen in curved mirrors or through glass is checked again without that (`--allow-missing specular`).
-What is printed is a line for each scene that is not right, and a table of the verdicts. Scenes whose
-check says "wrong" are kept in FOLDER, all with `--keep-all`."""
+as S seconds of the CPU allow, and at least 16. What is printed is a line for each scene that is not
+right, and a table of the verdicts. Scenes whose check says "wrong" are kept in FOLDER, all with
+`--keep-all`."""
 
 from __future__ import annotations
 
@@ -210,38 +209,31 @@ def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[st
     """The verdict, the rest of the line, and the seconds that the check took."""
     command = [capwalk, "check", file, "-p", parameter, "--json", "--threads", "1", "-o"]
     command += [file.replace(".xml", ".npz"), "--spp"]
-    options: list[str] = []
     result, error, taken = run([*command, str(FIRST_SPP)])
-    if result is None and "--allow-missing specular" in error:
-        options = ["--allow-missing", "specular"]
-        result, error, taken = run([*command, str(FIRST_SPP), *options])
     if result is not None:
-        first, second = taken, run([*command, str(SECOND_SPP), *options])[2]
+        first, second = taken, run([*command, str(SECOND_SPP)])[2]
         each = (second - first) / (SECOND_SPP - FIRST_SPP)
         # A pilot, or a second reference, may have taken most of either.
         spp = int(min(seconds / each, MOST_TIMES * SECOND_SPP)) if each > 0 else SECOND_SPP
         spp = max(spp, FIRST_SPP)
         if spp > FIRST_SPP:
-            result, error, taken = run([*command, str(spp), *options])
+            result, error, taken = run([*command, str(spp)])
         while result is not None and taken < ENOUGH * seconds:
             spp = int(spp * min(MOST_TIMES, seconds / taken))
-            result, error, taken = run([*command, str(spp), *options])
+            result, error, taken = run([*command, str(spp)])
         # Too many, perhaps with a second reference: fewer, and some in between if that is without.
         while result is not None and taken > TOO_MUCH * seconds and spp > FIRST_SPP:
             many, spp = spp, max(FIRST_SPP, int(spp * seconds / taken))
-            result, error, taken = run([*command, str(spp), *options])
+            result, error, taken = run([*command, str(spp)])
             if taken < ENOUGH * seconds:
-                tried = run([*command, str(int((spp * many) ** 0.5)), *options])
+                tried = run([*command, str(int((spp * many) ** 0.5))])
                 if tried[2] <= TOO_MUCH * seconds:
                     result, error, taken = tried
     if result is None:
         return "refused", error.splitlines()[0], taken
     found = result["comparison"]
-    verdict = found["verdict"]
-    if verdict == "partial":
-        verdict = f"partial, the rest {found['verdict_of_rest']}"
     factor, error_of_it = found["scale_factor"], found["scale_factor_error"]
-    return verdict, f"{factor} ± {error_of_it}, {result['spp']} spp, {taken:.2f} s", taken
+    return found["verdict"], f"{factor} ± {error_of_it}, {result['spp']} spp, {taken:.2f} s", taken
 
 
 def main() -> None:

@@ -72,8 +72,8 @@ def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> 
     :param along: an expression such as ``"ball.translate.x"`` or ``"a.scale - 2*b.scale"``, or
         velocities of arrays by their names: ``{"ball.positions": array of shape (V, 3)}``.
     :param options: how, see :class:`capwalk.options.GradientOptions`: those of :func:`render`,
-        and ``method``, ``steps``, ``max_angle``, ``antithetic``, ``allow_missing``. GPUs do not
-        support all derivatives: for others ``device="auto"`` uses the CPU, and ``"gpu"`` raises
+        and ``method``, ``steps``, ``max_angle``, ``antithetic``. GPUs do not support all
+        derivatives: for others ``device="auto"`` uses the CPU, and ``"gpu"`` raises
         :class:`ArgumentError` with the reason.
     :raises Refused: the derivative could only be estimated with a bias; with ``reason`` and
         ``instead``.
@@ -202,10 +202,7 @@ def warn_of_device(remark: str | None) -> None:
 
 
 def warn_of(statistics: Mapping[str, Any]) -> None:
-    """Warns of samples that are infinite or NaN, and of parts that are left out."""
-    if statistics.get("missing"):
-        text = statistics["missing_text"]
-        warnings.warn(f"the derivative is incomplete: {text}", UnreliableWarning, stacklevel=3)
+    """Warns of samples that are infinite or NaN."""
     if statistics["non_finite"]:
         text = f"{statistics['non_finite']} of {statistics['samples']} samples were infinite or NaN"
         text += ", and count as zero"

@@ -36,7 +36,6 @@ class Options:
     antithetic: bool | None = None
     chosen: bytes | None = None
     """What a pilot has chosen, instead of the last four."""
-    allow_missing: tuple[str, ...] = ()
 
 
 def check_names(function: str, kind: type, given: Mapping[str, object]) -> None:
@@ -108,10 +107,6 @@ def _method(given: Mapping[str, Any], steps: int | None) -> dict[str, Any]:
     max_angle, antithetic = given.get("max_angle"), given.get("antithetic")
     if antithetic not in (None, True, False):
         raise TypeError(f"antithetic is {antithetic!r}; expected True or False")
-    missing = given.get("allow_missing", ())
-    missing = (missing,) if isinstance(missing, str) else tuple(missing)
-    if not all(isinstance(name, str) for name in missing):
-        raise TypeError(f'allow_missing is {missing!r}; expected names: ("specular",)')
     chosen = None
     if isinstance(method, Method):
         if (steps, max_angle, antithetic) != (None, None, None):
@@ -128,7 +123,6 @@ def _method(given: Mapping[str, Any], steps: int | None) -> dict[str, Any]:
         "max_angle": None if max_angle is None else real("max_angle", max_angle),
         "antithetic": None if antithetic is None else bool(antithetic),
         "chosen": chosen,
-        "allow_missing": missing,
     }
 
 

@@ -71,9 +71,7 @@ class GradientImage:
     method: Method
     """The method that was chosen."""
     statistics: Mapping[str, Any]
-    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``; and what is
-    left out (``allow_missing``): ``missing``, the share of the radiance that arrives by
-    paths with such events, moving or not, with its standard error, or ``None``."""
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
     device: str = "cpu"
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
     _files: Files = ()
@@ -81,10 +79,7 @@ class GradientImage:
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)
-        method = f"method {self.method.name}"
-        if self.statistics["missing"] is None:
-            return f"<capwalk.GradientImage: {described}, {method}>"
-        return f"<capwalk.GradientImage: {described}, {method}, {self.statistics['missing_text']}>"
+        return f"<capwalk.GradientImage: {described}, method {self.method.name}>"
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         return _as_array(self.gradient, dtype, copy)
@@ -106,10 +101,6 @@ class GradientImage:
         if os.fspath(path).lower().endswith(".png"):
             layers = layers[:1]
         notes = [] if self.device == "cpu" else [("device", self.device)]
-        if self.statistics["missing"] is not None:
-            share, stderr = self.statistics["missing"]
-            notes += [("missing", "specular"), ("missing_share", str(share))]
-            notes.append(("missing_share_stderr", str(stderr)))
         _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
 
     def _repr_png_(self) -> bytes:
@@ -124,7 +115,7 @@ class Gradients(dict[str, Array]):
     method: Method
     """The method that was chosen; of several views that of the first which was sampled."""
     statistics: Mapping[str, Any]
-    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``, ``missing``."""
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
     device: str
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
 
@@ -147,11 +138,7 @@ class Check:
     numbers."""
 
     verdict: str
-    """``"right"``, ``"wrong"`` or ``"inconclusive"``; or ``"partial"`` if something is left out of
-    the gradient (``allow_missing``): then only the light that it does not concern is compared, of
-    which ``gradient`` and ``reference`` are the derivatives then."""
-    rest: str | None
-    """The verdict on that light, if it is partial."""
+    """``"right"``, ``"wrong"`` or ``"inconclusive"``."""
     reason: str | None
     """In which respects they differ, if the gradient is wrong; if that is inconclusive because the
     differences are larger than noise explains, by how much."""

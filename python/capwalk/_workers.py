@@ -253,12 +253,9 @@ def _seen(ids: Sequence[str], names: Sequence[str], sensor: int) -> list[str]:
 
 
 def _together(statistics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """The statistics of all views; what is missing is that of the view with the largest share."""
+    """The statistics of all views."""
     merged = {"complete": all, "too_many_non_finite": any}
-    worst = max(statistics, key=lambda of_view: of_view["missing"] or (0.0, 0.0))
-    missing = {name: worst[name] for name in ("missing", "missing_text")}
-    return missing | {
+    return {
         name: merged.get(name, sum)([of_view[name] for of_view in statistics])
         for name in statistics[0]
-        if name not in missing
     }

@@ -13,7 +13,6 @@ of a function that passes them on::
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypedDict
 
 from ._method import Method
@@ -67,11 +66,6 @@ class MethodOptions(TypedDict, total=False):
     """The walk's angular cutoff, degrees, above 0 and at most 180."""
     antithetic: bool | None
     """Whether walks average samples at opposite points of the rim."""
-    allow_missing: Sequence[str]
-    """``("specular",)`` leaves out the motion of silhouettes and hard shadows that are seen in
-    curved mirrors, through refracting glass, or after many reflections, instead of refusing the
-    derivative; ``statistics["missing"]`` is the share of the radiance that arrives by paths with
-    such events, whether something moves there or not."""
 
 
 class ViewsOptions(SampleOptions, total=False):

@@ -8,6 +8,19 @@ import capwalk as cw
 import numpy as np
 import pytest
 
+MIRROR_BALL = """<scene version="3.0.0"><integrator type="path"><integer name="max_depth" value="3"/></integrator>
+<sensor type="perspective"><float name="fov" value="20"/>
+<transform name="to_world"><lookat origin="0, 0, 4" target="0, 0, 0" up="0, 1, 0"/></transform>
+<film type="hdrfilm"><integer name="width" value="12"/><integer name="height" value="9"/>
+<rfilter type="box"/></film>
+<sampler type="independent"><integer name="sample_count" value="128"/></sampler></sensor>
+<shape type="sphere" id="ball"><bsdf type="conductor"/></shape>
+<shape type="cube" id="box"><transform name="to_world"><scale value="0.8"/><rotate z="1" angle="20"/>
+<translate x="2" y="0.3" z="3"/></transform>
+<bsdf type="diffuse"><rgb name="reflectance" value="0.1"/></bsdf></shape>
+<emitter type="constant"/></scene>"""
+"""A dark box beside the camera, which sees it in a mirror ball only."""
+
 
 def test_image_is_an_array_with_errors(scene: cw.Scene) -> None:
     image = cw.render(scene, seed=3)
@@ -97,6 +110,18 @@ def test_forward_is_reverse(scene: cw.Scene) -> None:
     error = np.hypot(np.sqrt(3) * forward_error, gradients.stderr["box.translate.x"])
     assert 0 < abs(difference) < 4 * error
     assert gradients.stderr["box.positions"].shape == gradients["box.positions"].shape
+
+
+def test_motion_seen_in_a_mirror_ball_alone() -> None:
+    scene = cw.load_string(MIRROR_BALL)
+    derivative = cw.gradient(scene, "box.scale")
+    gradients = cw.backward(scene, np.ones((9, 12, 3)), ["box.scale"])
+    forward = derivative.gradient.sum()
+    forward_error = np.sqrt(np.square(derivative.stderr).sum())
+    # Channels of a pixel share their noise: at most sqrt(3) as much.
+    error = np.hypot(np.sqrt(3) * forward_error, gradients.stderr["box.scale"])
+    # A larger box hides more of the sky.
+    assert forward < -4 * error < -abs(gradients["box.scale"] - forward)
 
 
 def test_grey_adjoints(scene: cw.Scene) -> None:

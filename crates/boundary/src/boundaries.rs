@@ -15,10 +15,11 @@ use crate::crossing::{Crossing, crossings};
 use crate::edge_sampler::EdgeSampler;
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
 use crate::image_space::image_tree;
+use crate::material::is_purely_specular;
 use crate::shading::ShadingDiscontinuities;
 use crate::shadow_line::{ShadowLine, shadow_lines};
 use crate::texture_line::texture_lines;
-use crate::viewpoint::{EMITTED, SEEN};
+use crate::viewpoint::{CREASED, EMITTED, ROUND, SEEN};
 use crate::window::AreaEmitter;
 
 /// The edges of emitters with at most this many have a term of their own (METHOD 3); those
@@ -157,23 +158,6 @@ impl Boundaries {
         &self.crossings[self.crossings.len() - self.shadowed_faces.len()..]
     }
 
-    /// For each face of the joined mesh, whether the edge of a hard shadow on it moves, given
-    /// which points of the boundaries do.
-    pub fn faces_with_moving_shadows(
-        &self,
-        accel: &Accel,
-        moves: impl Fn(u32) -> bool,
-    ) -> Vec<bool> {
-        let mut faces = vec![false; accel.mesh.faces.len()];
-        // The ends of crossings are the last points.
-        let first = self.point_count() - 2 * self.shadowed_faces.len();
-        for (line, &face) in self.shadowed_faces.iter().enumerate() {
-            let end = (first + 2 * line) as u32;
-            faces[face as usize] |= moves(end) || moves(end + 1);
-        }
-        faces
-    }
-
     /// The edges.
     pub fn edges(&self) -> &[Edge] {
         &self.edges
@@ -292,7 +276,7 @@ impl Boundaries {
     }
 
     /// Where a point of an edge is.
-    pub(crate) fn point(&self, vertices: [u32; 2], t: f64) -> Vec3 {
+    pub fn point(&self, vertices: [u32; 2], t: f64) -> Vec3 {
         let [a, b] = vertices.map(|i| self.positions[i as usize]);
         a + (b - a) * t
     }
@@ -346,6 +330,8 @@ impl Listed {
                 return Err(Halted);
             }
             let discontinuities = ShadingDiscontinuities::new(scene, shape);
+            let is_round =
+                shape.normals.per_vertex().is_some() && is_purely_specular(scene, shape.bsdf);
             let mut own = topology::edges_with(&shape.mesh, |faces| discontinuities.differs(faces));
             let is_explicit = shape
                 .emitter
@@ -357,8 +343,15 @@ impl Listed {
                 }
             }));
             for edge in &mut own {
+                let is_round = match edge.sides {
+                    Sides::Between { faces, .. } => is_round && !discontinuities.differs(faces),
+                    Sides::Open => false,
+                };
                 shift(edge, first_vertex, first_face);
-                edge.groups = if is_explicit { SEEN } else { SEEN | EMITTED };
+                edge.groups = SEEN | if is_round { ROUND } else { CREASED };
+                if !is_explicit {
+                    edge.groups |= EMITTED;
+                }
                 if let (Some(_), Sides::Between { faces, flipped }) = (shape.emitter, edge.sides) {
                     // Emitted light ends where an emitter shows its back, folded or not, and is
                     // discontinuous where its texture is.
@@ -392,7 +385,7 @@ impl Listed {
                 vertices: [first, first + 1],
                 sides: Sides::Open,
                 // An emitter ends where another surface passes through it.
-                groups: if crossing.emits { SEEN | EMITTED } else { SEEN },
+                groups: if crossing.emits { SEEN | EMITTED } else { SEEN } | CREASED,
             });
             contrasts.push(1.0);
         }

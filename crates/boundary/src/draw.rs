@@ -2,8 +2,6 @@
 
 use std::cell::Cell;
 
-use capwalk_math::Rgb;
-
 use crate::random::Stream;
 
 /// The random numbers of one sample, and its counters.
@@ -20,27 +18,9 @@ pub struct Draw<'a> {
 pub struct Counts {
     /// Closest-silhouette queries.
     pub queries: Cell<u64>,
-    /// Specular events behind which silhouettes can move that are not covered.
-    pub uncovered: Cell<u64>,
-    /// What of the radiance arrives by specular events behind which silhouettes are not
-    /// covered, moving or not.
-    pub missing: Cell<Rgb>,
 }
 
 impl Draw<'_> {
-    /// Adds to the radiance behind silhouettes that are not covered.
-    pub fn add_missing(&self, radiance: Rgb) {
-        self.counts
-            .missing
-            .set(self.counts.missing.get() + radiance);
-    }
-
-    /// Counts a specular event behind which silhouettes are not covered, if they can move.
-    pub fn count_uncovered(&self, moves: bool) {
-        let uncovered = &self.counts.uncovered;
-        uncovered.set(uncovered.get() + u64::from(moves));
-    }
-
     /// Adds to the closest-silhouette queries.
     pub fn count_queries(&self, count: u64) {
         self.counts.queries.set(self.counts.queries.get() + count);

@@ -2,7 +2,7 @@
 //! keep images in shape.
 
 use capwalk_math::{Real, Vec3};
-use capwalk_scene::lobe::Event;
+use capwalk_scene::lobe::{Event, Lobe};
 use capwalk_scene::material::{Anisotropy, MaterialTraits};
 use capwalk_scene::{Bsdf, BsdfId, Integrator, Pattern, Scene, Shape, Texture, TextureId};
 
@@ -46,6 +46,18 @@ pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
         let traits = bsdf.traits();
         traits.is_specular || traits.passes_light
     })
+}
+
+/// True if a material does nothing but reflect or refract light in one direction.
+pub fn is_purely_specular(scene: &Scene, id: BsdfId) -> bool {
+    let material = &scene.material(id).bsdf;
+    match material {
+        Bsdf::Plain(Lobe::Conductor(_) | Lobe::Dielectric(_) | Lobe::ThinDielectric(_)) => true,
+        Bsdf::TwoSided { front, back } => [front, back]
+            .into_iter()
+            .all(|&side| is_purely_specular(scene, side)),
+        _ => false,
+    }
 }
 
 /// Which perfectly specular events at a shape keep images in shape.

@@ -10,7 +10,7 @@
 
 use capwalk_geometry::topology::COPLANAR;
 use capwalk_geometry::{ConeQuery, HalfSpace, Hit, Ray, SilhouettePoint};
-use capwalk_math::{Real, Vec3};
+use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::lobe::Event;
 use capwalk_walk::{Domain, Nearest, Sphere};
 
@@ -220,12 +220,12 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ReflectedSphere<'_, R,
     }
 
     #[inline]
-    fn distance(&self, q: Vec3, y: Vec3) -> f64 {
-        self.direct.distance(q, y)
+    fn radius_at(&self, q: Vec3, known: &Nearest<Seen, Vec3>) -> Option<f64> {
+        Some(sphere::angle_between(q, known.point))
     }
     #[inline]
-    fn towards(&self, q: Vec3, y: Vec3) -> Vec3 {
-        self.direct.towards(q, y)
+    fn growth(&self, q: Vec3, nearest: &Nearest<Seen, Vec3>) -> Vec3 {
+        -sphere::tangent_towards(q, nearest.point)
     }
     #[inline]
     fn tangent(&self, q: Vec3, azimuth: f64) -> Vec3 {

@@ -129,11 +129,11 @@ pub enum Refusal {
         /// Why it is infinite where the number is 0.
         why: &'static str,
     },
-    /// Silhouettes move that are seen by specular reflection or refraction which the
-    /// method does not cover.
+    /// Silhouettes move that are seen by specular reflection or refraction, and the method's field
+    /// does not cover them.
     SpecularMotion {
-        /// Why they are not covered.
-        cause: SpecularCause,
+        /// The method.
+        method: &'static str,
     },
     /// The adjoint image has another size than the image.
     AdjointSize {
@@ -161,28 +161,6 @@ pub enum Refusal {
         /// What is wrong with the scene there.
         reason: String,
     },
-}
-
-/// Why silhouettes seen by specular events are not covered.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum SpecularCause {
-    /// The mirror is curved, the light is refracted, or there are more than so many
-    /// reflections.
-    Bent {
-        /// Most reflections that are covered.
-        most_events: u32,
-    },
-    /// Motion that is seen in such mirrors, or in any mirror before an orthographic sensor.
-    Orthographic {
-        /// Most reflections that are covered.
-        most_events: u32,
-    },
-    /// The rays of walks move beside what moves in the image, and only with them what they show in
-    /// curved mirrors or through refracting glass.
-    Walks,
-    /// The method has no reflected boundaries.
-    Method,
 }
 
 impl Refusal {
@@ -361,7 +339,13 @@ impl Refusal {
                 ),
                 instead("Raise such values a little, for example to 0.001"),
             ),
-            Self::SpecularMotion { cause } => specular_motion(*cause),
+            Self::SpecularMotion { method } => (
+                format!(
+                    "objects move that are seen in mirrors or through transparent surfaces, and the \
+                     fields of the method `{method}` do not cover the silhouettes seen there"
+                ),
+                instead("Use fields on the sphere, the default, which do"),
+            ),
             Self::AdjointSize {
                 found: [width, height],
                 expected: [right_width, right_height],
@@ -402,58 +386,6 @@ impl Refusal {
             ),
         }
     }
-}
-
-/// The sentences of [`Refusal::SpecularMotion`].
-fn specular_motion(cause: SpecularCause) -> (String, Option<String>) {
-    let (mirrors, covered, most) = match cause {
-        SpecularCause::Walks => {
-            return (
-                "the rays of walks move beside moving objects, and with them what these rays show in \
-                 curved mirrors or through refracting glass; the silhouettes seen there are not covered"
-                    .into(),
-                Some(
-                    "Use the default method or `edges`, whose rays stay; or leave this \
-                     part out (`allow_missing`, \"specular\")"
-                        .into(),
-                ),
-            );
-        }
-        SpecularCause::Method => {
-            return (
-                "objects move that are seen in mirrors or through transparent surfaces, and the \
-                 fields of this method do not cover the silhouettes seen there"
-                    .into(),
-                Some(
-                    "Use fields on the sphere, the default, which cover them in flat mirrors and \
-                     through panes"
-                        .into(),
-                ),
-            );
-        }
-        SpecularCause::Orthographic { most_events } => (
-            "in mirrors by an orthographic sensor",
-            "before a perspective sensor in flat mirrors",
-            most_events,
-        ),
-        SpecularCause::Bent { most_events } => {
-            ("in curved mirrors", "in flat mirrors", most_events)
-        }
-    };
-    (
-        format!(
-            "objects or hard shadows move that are seen {mirrors}, through refracting glass, or \
-             after more than {most} reflections, and the silhouettes and edges of hard shadows seen \
-             there are not covered. Covered are those seen {covered} (without vertex normals) and through panes \
-             (`thindielectric`), and the shadows of area emitters and environments seen in any \
-             mirror that does not move"
-        ),
-        Some(
-            "Use one of these, a rough material (alpha of 0.01 or more), or finite differences; or \
-             leave this part out (`allow_missing`, \"specular\")"
-                .into(),
-        ),
-    )
 }
 
 impl From<Halted> for Refusal {

@@ -8,8 +8,7 @@ use crate::boundaries::Boundaries;
 use crate::clip::refuse_clipped;
 use crate::material::{depends_on_rotation, may_be_specular, tangents_of_face, textures_of};
 use crate::method::Method;
-use crate::mirror::MAX_EVENTS;
-use crate::refusal::{Refusal, SpecularCause};
+use crate::refusal::Refusal;
 use crate::shadow_line::MOST_SHADOW_LINES;
 use crate::texture_line::{self, MOST_LINES};
 
@@ -159,25 +158,22 @@ pub fn refuse_cut_normals(
     Ok(())
 }
 
-/// True if some shape has a material that can be perfectly specular.
-pub fn is_specular_somewhere(scene: &Scene) -> bool {
-    let mut shapes = scene.shapes.iter();
-    shapes.any(|shape| may_be_specular(scene, shape.bsdf))
+/// A refusal if something can be seen in mirrors or through transparent surfaces, and the method's field has no
+/// silhouettes there.
+pub fn refuse_specular(scene: &Scene, method: &Method) -> Result<(), Refusal> {
+    let traits = method.traits();
+    match traits.is_unbiased && !traits.is_spherical && is_specular_somewhere(scene) {
+        true => Err(Refusal::SpecularMotion {
+            method: method.name(),
+        }),
+        false => Ok(()),
+    }
 }
 
-/// The refusal of what moves behind specular events that a method does not cover; `by_walks` says
-/// that it does so only where the rays of walks move.
-pub fn uncovered_motion(scene: &Scene, method: &Method, by_walks: bool) -> Refusal {
-    let most_events = MAX_EVENTS;
-    let cause = match (method.traits().is_spherical, &scene.sensor.model) {
-        (false, _) => SpecularCause::Method,
-        (true, _) if by_walks => SpecularCause::Walks,
-        (true, SensorModel::Orthographic) => SpecularCause::Orthographic { most_events },
-        (true, SensorModel::Perspective { .. } | SensorModel::ThinLens { .. }) => {
-            SpecularCause::Bent { most_events }
-        }
-    };
-    Refusal::SpecularMotion { cause }
+/// True if some shape has a material that can be perfectly specular.
+fn is_specular_somewhere(scene: &Scene) -> bool {
+    let mut shapes = scene.shapes.iter();
+    shapes.any(|shape| may_be_specular(scene, shape.bsdf))
 }
 
 /// A refusal if the scene has discontinuities whose motion no method covers.

@@ -10,6 +10,12 @@ pub const SEEN: u8 = 1;
 /// few edges, which have a term of their own (METHOD 3).
 pub const EMITTED: u8 = 2;
 
+/// The group of those edges of [`SEEN`] that bound light also where both of their faces are seen. Mirrors and glass
+/// with interpolated normals show no other edges than silhouettes.
+pub const CREASED: u8 = 4;
+/// The group of all others of [`SEEN`].
+pub const ROUND: u8 = 8;
+
 /// The centre of a velocity field: the camera or a shading point.
 #[derive(Clone, Copy, Debug)]
 pub struct Viewpoint<R> {

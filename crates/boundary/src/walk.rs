@@ -4,7 +4,7 @@
 
 use std::cell::Cell;
 
-use capwalk_geometry::SilhouettePoint;
+use capwalk_geometry::{ConeQuery, EdgeSelection, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
@@ -12,7 +12,7 @@ use crate::boundary_sample::BoundarySample;
 use crate::draw::Numbers;
 use crate::field::Field;
 use crate::reflected::ReflectedSphere;
-use crate::viewpoint::{Viewpoint, Visibility};
+use crate::viewpoint::{CREASED, ROUND, Viewpoint, Visibility};
 
 /// A sample of the field `u(q)` and its divergence `div u(q)`: boundary points with the
 /// weights of their velocities in both.
@@ -51,6 +51,18 @@ pub(crate) fn sphere<'e, R: Real>(
     field: &'e Field,
     viewpoint: &'e Viewpoint<R>,
 ) -> ReflectedSphere<'e, R, impl Fn(&SilhouettePoint) -> bool> {
+    ReflectedSphere {
+        direct: direct_sphere(field, viewpoint),
+        field,
+        viewpoint,
+    }
+}
+
+/// The same without the mirror images.
+pub fn direct_sphere<'e, R: Real>(
+    field: &'e Field,
+    viewpoint: &'e Viewpoint<R>,
+) -> Sphere<'e, impl Fn(&SilhouettePoint) -> bool> {
     let (accel, boundaries) = (field.accel, field.boundaries);
     let position = viewpoint.position.value();
     // A camera with parallel rays sees directions from the origin of image space.
@@ -71,18 +83,55 @@ pub(crate) fn sphere<'e, R: Real>(
             }
         }
     };
-    ReflectedSphere {
-        direct: Sphere {
-            tree,
-            origin: apex,
-            edges: viewpoint.selection,
-            groups: viewpoint.group,
-            in_front_of: is_camera.then(|| accel.behind_near_plane()).flatten(),
-            counts: (viewpoint.visibility != Visibility::All).then_some(is_seen),
-            queries: Cell::new(0),
-        },
-        field,
-        viewpoint,
+    Sphere {
+        tree,
+        origin: apex,
+        edges: viewpoint.selection,
+        groups: viewpoint.group,
+        in_front_of: is_camera.then(|| accel.behind_near_plane()).flatten(),
+        counts: (viewpoint.visibility != Visibility::All).then_some(is_seen),
+        queries: Cell::new(0),
+    }
+}
+
+/// Which edges bound light that mirrors and glass show.
+pub const SEEN_BY_CHAINS: [(u8, EdgeSelection); 2] = [
+    (CREASED, EdgeSelection::All),
+    (ROUND, EdgeSelection::Silhouettes),
+];
+
+impl Field<'_> {
+    /// The boundary point closest to a direction, nearer than `limit` radians, that is seen from a point of a
+    /// specular surface with this face normal. The face's own edges do not count: they are seen only where the
+    /// direction is in the plane of the face.
+    pub fn closest_behind(
+        &self,
+        position: Vec3,
+        face_normal: Vec3,
+        direction: Vec3,
+        mut limit: f64,
+    ) -> Option<SilhouettePoint> {
+        let viewpoint = Viewpoint::towards_surfaces(position, face_normal, 0);
+        let counts = |point: &SilhouettePoint| {
+            self.horizon(&viewpoint, point).is_none()
+                && (self.accel).surface_sees(position, point.direction, point.distance)
+        };
+        let mut found = None;
+        for (groups, edges) in SEEN_BY_CHAINS {
+            let query = ConeQuery {
+                apex: position,
+                axis: direction,
+                max_angle: limit,
+                edges,
+                groups,
+                in_front_of: None,
+            };
+            if let Some(point) = self.boundaries.tree().closest_where(&query, counts) {
+                limit = point.angle;
+                found = Some(point);
+            }
+        }
+        found
     }
 }
 

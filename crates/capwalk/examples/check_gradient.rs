@@ -27,7 +27,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         match &comparison.verdict {
             Verdict::Right => println!("right"),
             Verdict::Wrong { reason } => println!("wrong: {reason}"),
-            Verdict::Partial { .. } => println!("partial: something is left out"),
             // Noise hides the answer: take as many samples as are estimated to be enough.
             Verdict::Inconclusive { samples_factor, .. } => {
                 println!("inconclusive: {samples_factor:.1} times the samples would be enough");

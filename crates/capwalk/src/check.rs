@@ -17,7 +17,7 @@ use crate::error::Error;
 use crate::options::{self, DifferenceOptions, check_spp};
 use crate::text::number;
 
-pub use words::{comparison_text, coplanar_text, edge_on_text, missing_text, touching_text};
+pub use words::{comparison_text, coplanar_text, edge_on_text, touching_text};
 
 /// Samples of the reference for each one of the gradient, before the noise of both is known:
 /// differences are cheaper, and noisier.
@@ -183,19 +183,14 @@ pub struct Check {
 }
 
 impl Check {
-    /// Compares a gradient with differences of the same size, and how they were made; where
-    /// something is missing, those of the light that it does not concern.
+    /// Compares a gradient with differences of the same size, and how they were made.
     pub fn new(
         gradient: GradientImage,
         (made, mut reference): (Reference, GradientImage),
         coplanar: Vec<[String; 2]>,
     ) -> Self {
         reference.gradient = without_rounding(&reference, made.step);
-        let mut comparison = compare_with_differences(&gradient, &reference, made.span());
-        if gradient.missing.is_some() {
-            let rest = Box::new(comparison.verdict);
-            comparison.verdict = Verdict::Partial { rest };
-        }
+        let comparison = compare_with_differences(&gradient, &reference, made.span());
         Self {
             comparison,
             gradient,
@@ -270,11 +265,11 @@ impl Check {
         let between = compare(&check.reference.gradient, &self.reference.gradient);
         let agree = !matches!(between.verdict, Verdict::Wrong { .. });
         let says_nothing = check.comparison.few_events;
-        match check.rest_mut() {
+        match &mut check.comparison.verdict {
             Verdict::Inconclusive { doubt: Some(_), .. } if agree && !says_nothing => {
                 let mut this = self;
                 let is_first = this.references == 1;
-                if let Verdict::Inconclusive { samples_factor, .. } = this.rest_mut()
+                if let Verdict::Inconclusive { samples_factor, .. } = &mut this.comparison.verdict
                     && is_first
                 {
                     // So many samples were just taken.
@@ -295,7 +290,7 @@ impl Check {
                 counted(false, check)
             }
             Verdict::Right => counted(false, check),
-            Verdict::Wrong { .. } | Verdict::Partial { .. } => counted(!agree, check),
+            Verdict::Wrong { .. } => counted(!agree, check),
         }
     }
 
@@ -324,7 +319,7 @@ impl Check {
             let doubt = format!(
                 "over {over} they differ ({reason}), but this reference contradicts {other}"
             );
-            *self.rest_mut() = Verdict::Inconclusive {
+            self.comparison.verdict = Verdict::Inconclusive {
                 samples_factor,
                 doubt: Some(doubt),
             };
@@ -335,7 +330,7 @@ impl Check {
     /// How to estimate the gradient again, if two references contradict it: with other random
     /// numbers and more samples. Where it met few rare events, its errors are too small.
     pub(crate) fn second_gradient(&self, options: &GradientOptions) -> Option<GradientOptions> {
-        let is_wrong = matches!(self.rest(), Verdict::Wrong { .. });
+        let is_wrong = matches!(&self.comparison.verdict, Verdict::Wrong { .. });
         (is_wrong && self.references > 1).then(|| GradientOptions {
             spp: options.spp.saturating_mul(SECOND_FACTOR),
             seed: options.seed ^ SECOND_GRADIENT_SEED,
@@ -354,16 +349,6 @@ impl Check {
                 )
             });
         }
-        // Only samples of this one have shown that something is missing: of both, and the reference
-        // has it.
-        if gradient.missing.is_some() && self.gradient.missing.is_none() {
-            return self.not_called_wrong(f64::INFINITY, |reason| {
-                format!(
-                    "{reason}, and a second gradient shows that something moves which is seen in \
-                     curved mirrors or through refracting glass: it is left out of both"
-                )
-            });
-        }
         let made = (self.made, self.reference.clone());
         let again = Self::new(gradient.clone(), made, Vec::new());
         match again.contradiction() {
@@ -376,7 +361,7 @@ impl Check {
     /// as well: with more samples than all before and other random numbers. The references before
     /// were looked at until they agreed, and may all have met too few rare events.
     pub(crate) fn confirmation(&self) -> Option<Reference> {
-        matches!(self.rest(), Verdict::Wrong { .. }).then(|| Reference {
+        matches!(&self.comparison.verdict, Verdict::Wrong { .. }).then(|| Reference {
             spp: self.made.spp.saturating_mul(SECOND_FACTOR),
             fits_noise: false,
             seed: self.made.seed ^ CONFIRMATION_SEED,
@@ -401,7 +386,7 @@ impl Check {
             return counted.unconfirmed();
         }
         let again = Self::new(gradient, (made, image), Vec::new());
-        match again.rest() {
+        match &again.comparison.verdict {
             Verdict::Wrong { .. } => counted,
             _ => counted.not_confirmed(&again, "a second gradient and another reference do"),
         }
@@ -410,7 +395,7 @@ impl Check {
     /// A doubt in the place of "wrong", which another comparison with four times the samples does not
     /// confirm; what does not is given in words.
     fn not_confirmed(self, again: &Self, without: &str) -> Self {
-        let needed = match again.rest() {
+        let needed = match &again.comparison.verdict {
             Verdict::Inconclusive { samples_factor, .. } => samples_factor.max(1.0),
             _ => 1.0,
         };
@@ -436,7 +421,7 @@ impl Check {
 
     /// This check with a doubt in the place of "wrong", given the reason for that.
     fn not_called_wrong(mut self, samples_factor: f64, doubt: impl FnOnce(&str) -> String) -> Self {
-        let verdict = self.rest_mut();
+        let verdict = &mut self.comparison.verdict;
         if let Verdict::Wrong { reason } = verdict {
             *verdict = Verdict::Inconclusive {
                 samples_factor,
@@ -448,26 +433,11 @@ impl Check {
 
     /// What speaks against the gradient.
     fn contradiction(&self) -> Option<&str> {
-        match self.rest() {
+        match &self.comparison.verdict {
             _ if self.comparison.few_events => None,
             Verdict::Wrong { reason } => Some(reason),
             Verdict::Inconclusive { doubt, .. } => doubt.as_deref(),
-            Verdict::Right | Verdict::Partial { .. } => None,
-        }
-    }
-
-    fn rest_mut(&mut self) -> &mut Verdict {
-        match &mut self.comparison.verdict {
-            Verdict::Partial { rest } => rest,
-            whole => whole,
-        }
-    }
-
-    /// The verdict on what is compared.
-    fn rest(&self) -> &Verdict {
-        match &self.comparison.verdict {
-            Verdict::Partial { rest } => rest,
-            whole => whole,
+            Verdict::Right => None,
         }
     }
 }

@@ -96,10 +96,10 @@ mod views;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
-    Accumulate, AllowMissing, BatchSums, Cell, Chosen, Device, Estimate, Estimator, Gathers,
-    GradientImage, GradientOptions, GradientWork, Grid, KeptChoice, Method, Missing, Part,
-    PartError, Partial, PixelSums, Refusal, RenderOptions, RenderWork, Rendering, Seed, Statistics,
-    Stencil, Trial, Unwatched, UsedDevice, WalkSettings, Watch, with_threads,
+    Accumulate, BatchSums, Cell, Chosen, Device, Estimate, Estimator, Gathers, GradientImage,
+    GradientOptions, GradientWork, Grid, KeptChoice, Method, Part, PartError, Partial, PixelSums,
+    Refusal, RenderOptions, RenderWork, Rendering, Seed, Statistics, Stencil, Trial, Unwatched,
+    UsedDevice, WalkSettings, Watch, with_threads,
 };
 pub use capwalk_math::{Rgb, Vec3};
 pub use capwalk_scene::params::{self, ParameterError, vertex_tangent};
@@ -120,8 +120,7 @@ pub use capwalk_scene_io as scene_io;
 
 pub use backward::{GradientNames, Gradients, GradientsWork, ParameterGradient};
 pub use check::{
-    Check, CheckOptions, Reference, comparison_text, coplanar_text, edge_on_text, missing_text,
-    touching_text,
+    Check, CheckOptions, Reference, comparison_text, coplanar_text, edge_on_text, touching_text,
 };
 pub use device::DeviceFailure;
 pub use direction::Direction;
@@ -131,11 +130,9 @@ pub use folder_error::FolderError;
 pub use images::{read_layer, read_mask, write_image};
 pub use load::{Loader, load};
 pub use loss::{Distance, ImageLoss, Loss, Measured};
-pub use method::{
-    Caveat, Choice, MethodChoice, MethodName, MissingName, OptionError, WalkChoice, caveat,
-};
+pub use method::{Caveat, Choice, MethodChoice, MethodName, OptionError, WalkChoice, caveat};
 pub use options::DifferenceOptions;
-pub use prepared::{Prepared, Values, comparable};
+pub use prepared::{Prepared, Values};
 pub use setting::{NotASetting, Setting};
 pub use step::bounds;
 pub use views::{ViewId, Views};

@@ -1,7 +1,7 @@
 //! How gradients are estimated, chosen by names: what files, command lines and other
 //! faces share. Every option belongs to some methods and is an error beside others.
 
-use capwalk_diff::{AllowMissing, Estimator, GradientOptions, Method, WalkSettings};
+use capwalk_diff::{Estimator, GradientOptions, Method, WalkSettings};
 use capwalk_scene::shown;
 
 /// A method and its options, as they were asked for. `None` is the default.
@@ -40,37 +40,6 @@ pub enum MethodName {
     /// `edges`: points on all edges before emitters and the camera, walks elsewhere.
     /// Unbiased.
     Edges,
-}
-
-/// What may be left out of a derivative, by name.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum MissingName {
-    /// `specular`: how silhouettes and hard shadows move that are seen in curved mirrors, through
-    /// refracting glass, or after many reflections.
-    Specular,
-}
-
-impl MissingName {
-    /// What these allow to be missing.
-    pub fn allow(names: &[Self]) -> AllowMissing {
-        AllowMissing {
-            specular: names.contains(&Self::Specular),
-        }
-    }
-}
-
-impl Choice for MissingName {
-    const NAMES: &'static [(&'static str, Self)] = &[("specular", Self::Specular)];
-
-    fn help(self) -> &'static str {
-        match self {
-            Self::Specular => {
-                "The motion of silhouettes and hard shadows that are seen in curved mirrors, through \
-                 refracting glass, or after many reflections"
-            }
-        }
-    }
 }
 
 /// What is chosen by its name.
@@ -323,7 +292,6 @@ mod tests {
             assert_eq!(T::named("nothing"), None);
         }
         round_trip::<MethodName>();
-        round_trip::<MissingName>();
         round_trip::<Estimator>();
         round_trip::<capwalk_diff::Device>();
         round_trip::<capwalk_scene::Filter>();

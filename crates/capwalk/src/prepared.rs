@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_diff::{
-    Chosen, Device, Differences, GradientImage, GradientOptions, GradientWork, KeptChoice, Method,
+    Chosen, Device, Differences, GradientImage, GradientOptions, GradientWork, KeptChoice,
     PreparedScene, Refusal, RenderOptions, RenderWork, Rendering, Watch,
 };
 use capwalk_scene::params::Registry;
@@ -43,22 +43,6 @@ pub struct Prepared {
     registry: OnceLock<Registry>,
     /// The methods that were chosen for this scene, or before numbers of it changed.
     choices: Choices,
-}
-
-/// What of a gradient, which this work gave, can be compared with differences: all of it; or, if
-/// something is missing, the derivative of the light that this does not concern.
-pub fn comparable(
-    gradient: GradientImage,
-    work: &GradientWork,
-    watch: &dyn Watch,
-) -> Result<GradientImage, Error> {
-    if gradient.missing.is_none() {
-        return Ok(gradient);
-    }
-    let mut rest = work.of_rest().whole(watch)?;
-    rest.missing = gradient.missing;
-    rest.statistics.missing = gradient.statistics.missing;
-    Ok(rest)
 }
 
 /// What has no GPU yet.
@@ -147,7 +131,7 @@ impl Prepared {
     /// stops that. If it stops the sampling, what was done is returned.
     ///
     /// A GPU, see [`Prepared::render`], has derivatives with respect to the numbers of materials, to
-    /// what emitters send, and to what moves, by [`Method::EDGES`]; [`Device::Auto`] takes the CPU
+    /// what emitters send, and to what moves, by [`Method::EDGES`](crate::Method::EDGES); [`Device::Auto`] takes the CPU
     /// for what it has not.
     ///
     /// ```
@@ -173,7 +157,7 @@ impl Prepared {
     }
 
     /// The method that [`Prepared::gradient`] uses on the CPU with these options, and what was tried
-    /// to find it: with [`Method::Auto`] a pilot chooses, in a small part of the time of a long
+    /// to find it: with [`Method::Auto`](crate::Method::Auto) a pilot chooses, in a small part of the time of a long
     /// gradient, and in at most half of that of a short one. A gradient with the options that
     /// come back has the same bits.
     ///
@@ -290,13 +274,12 @@ impl Prepared {
         let reference =
             options.reference(self.scene(), tangent, || self.difference_step(tangent))?;
         let chosen = work.chosen(watch)?.options;
-        let gradient = comparable(work.whole(watch)?, &work, watch)?;
+        let gradient = work.whole(watch)?;
         drop(work); // what it knows of the motion can be large
         self.checked(gradient, tangent, reference, &chosen, watch)
     }
 
-    /// What is [`comparable`] of a gradient that was estimated with these options, with a reference
-    /// and a verdict.
+    /// A gradient that was estimated with these options, with a reference and a verdict.
     ///
     /// Differences have a bias that grows with their step, and errors that are too small where
     /// few rare events were met. Where they contradict the gradient or leave a doubt of it, others
@@ -315,42 +298,36 @@ impl Prepared {
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
         refuse_gpu("a check", options.device)?;
-        let again = |options: &GradientOptions, first: &GradientImage| {
+        let again = |options: &GradientOptions| {
             let work = self.gradient_on_cpu(tangent, options)?;
-            let mut gradient = work.whole(watch)?;
-            // What is missing of the first is left out of both.
-            if gradient.missing.is_none() {
-                gradient.missing.clone_from(&first.missing);
-            }
-            comparable(gradient, &work, watch)
+            Ok(work.whole(watch)?)
         };
         self.checked_with(gradient, tangent, reference, options, &again, watch)
     }
 
-    /// The check, where further gradients come from `again`, which gets the first.
+    /// The check, where further gradients come from `again`.
     pub(crate) fn checked_with(
         &self,
         gradient: GradientImage,
         tangent: &Tangent,
         reference: Reference,
         options: &GradientOptions,
-        again: &dyn Fn(&GradientOptions, &GradientImage) -> Result<GradientImage, Error>,
+        again: &dyn Fn(&GradientOptions) -> Result<GradientImage, Error>,
         watch: &dyn Watch,
     ) -> Result<Check, Error> {
-        let method = options.method;
         // Nothing beside something is no comparison.
         let sampled = |image: &GradientImage, before| match image.statistics.samples {
             0 => Err(Error::Stopped { before }),
             _ => Ok(()),
         };
         sampled(&gradient, "a sample of the gradient was taken")?;
-        let made = self.reference(&gradient, tangent, reference, method, watch)?;
+        let made = self.reference(&gradient, tangent, reference, watch)?;
         sampled(&made.1, "a sample of the reference was taken")?;
         let mut check = Check::new(gradient, made, self.coplanar_shapes(tangent));
         while let Some(next) = check.next_reference()
             && !watch.should_stop()
         {
-            let made = self.reference(&check.gradient, tangent, next, method, watch)?;
+            let made = self.reference(&check.gradient, tangent, next, watch)?;
             check = check.with_next_reference(made);
         }
         let mut check = check.decided();
@@ -365,12 +342,12 @@ impl Prepared {
         let Some(more) = check.second_gradient(options) else {
             return Ok(check);
         };
-        let second = again(&more, &check.gradient)?;
+        let second = again(&more)?;
         let check = check.with_second_gradient(&second);
         let Some(confirmation) = check.confirmation() else {
             return Ok(check);
         };
-        let made = self.reference(&second, tangent, confirmation, method, watch)?;
+        let made = self.reference(&second, tangent, confirmation, watch)?;
         Ok(check.with_confirmation(second, made))
     }
 
@@ -378,19 +355,15 @@ impl Prepared {
     /// many are asked for.
     fn reference(
         &self,
-        comparable: &GradientImage,
+        gradient: &GradientImage,
         tangent: &Tangent,
         made: Reference,
-        method: Method,
         watch: &dyn Watch,
     ) -> Result<(Reference, GradientImage), Error> {
-        let mut differences = Differences::new(&self.prepared, tangent, made.step)?;
-        if comparable.missing.is_some() {
-            differences = differences.of_rest(method);
-        }
+        let differences = Differences::new(&self.prepared, tangent, made.step)?;
         let sampling = made.options().sampling();
         let (spp, image) = match made.fits_noise {
-            true => differences.image_beside(comparable, &sampling, watch),
+            true => differences.image_beside(gradient, &sampling, watch),
             false => (made.spp, differences.image(&sampling, watch)),
         };
         // A smaller step may be valid on both sides.

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use capwalk::optimize::parse_duration;
-use capwalk::{Device, Distance, Estimator, Filter, MissingName, SensorChoice, Setting};
+use capwalk::{Device, Distance, Estimator, Filter, SensorChoice, Setting};
 use clap::{ArgAction, Args, Parser, Subcommand};
 
 pub use typed_method::TypedMethod;
@@ -39,9 +39,7 @@ Exit status:
   4  more than 1 in 10^6 samples was infinite or NaN (the images are written);
      optimize: the loss or its gradient was
   5  stopped by Ctrl-C or SIGTERM (what was done is written, if anything was, marked
-     as partial)
-  6  check: something is left out (--allow-missing, or found by a sample only), and
-     the rest is not wrong";
+     as partial)";
 
 #[derive(Subcommand, Debug)]
 pub enum Command {
@@ -195,10 +193,6 @@ pub struct MethodArgs {
     /// is given]
     #[arg(long, value_parser = parse::method())]
     pub method: Option<TypedMethod>,
-    /// Leave this out of derivatives that would be refused otherwise, compute the rest, and say
-    /// how much of the image it concerns; may be repeated or separated by commas
-    #[arg(long, value_name = "WHAT", value_delimiter = ',', value_parser = parse::choice::<MissingName>())]
-    pub allow_missing: Vec<MissingName>,
     #[command(flatten)]
     pub walk: WalkArgs,
 }

@@ -18,8 +18,6 @@ pub enum Outcome {
     Stopped,
     /// The noise hides whether the gradient is right.
     Inconclusive,
-    /// Something is left out of the gradient.
-    Partial,
     /// Too many samples were infinite or NaN.
     NonFinite,
     /// Stopped by Ctrl-C or SIGTERM.
@@ -41,7 +39,6 @@ impl From<Outcome> for ExitCode {
             Outcome::Inconclusive => 2,
             Outcome::NonFinite => 4,
             Outcome::Interrupted => INTERRUPTED,
-            Outcome::Partial => 6,
         })
     }
 }
@@ -148,10 +145,9 @@ fn hint(error: &Error) -> Option<&'static str> {
             error: UnusableImage::NoLayer { .. },
             ..
         } => Some("; --layer chooses one"),
-        Error::Refused(Refusal::SpecularMotion { .. }) => Some(
-            "\n  help: --allow-missing specular leaves it out and says so; `capwalk gradient --method fd` \
-             takes finite differences",
-        ),
+        Error::Refused(Refusal::SpecularMotion { .. }) => {
+            Some("\n  help: `capwalk gradient --method fd` takes finite differences")
+        }
         _ => None,
     }
 }

@@ -1,9 +1,9 @@
 //! The method that the command line names, in the library's terms.
 
-use anyhow::{Result, anyhow, bail, ensure};
+use anyhow::{Result, anyhow, bail};
 use capwalk::{
-    Caveat, Choice, Chosen, GradientOptions, Method, MethodChoice, MethodName, MissingName,
-    OptionError, RenderOptions, Trial, WalkChoice, caveat,
+    Caveat, Choice, Chosen, GradientOptions, Method, MethodChoice, MethodName, OptionError,
+    RenderOptions, Trial, WalkChoice, caveat,
 };
 use serde_json::{Value, json};
 
@@ -19,11 +19,7 @@ pub fn options(sampling: RenderOptions, args: &MethodArgs) -> Result<GradientOpt
              Use `capwalk gradient --method fd -p NAME` for each parameter"
         );
     };
-    let options = GradientOptions {
-        allow_missing: MissingName::allow(&args.allow_missing),
-        ..GradientOptions::new(sampling)
-    };
-    Ok(choice(method, args).apply(options)?)
+    Ok(choice(method, args).apply(GradientOptions::new(sampling))?)
 }
 
 /// An error if an option is there that the method has no use for.
@@ -38,11 +34,6 @@ pub fn refuse_options_of_others(args: &MethodArgs) -> Result<()> {
         // Differences have no options.
         TypedMethod::Fd => choice(MethodName::default(), args).given(),
     };
-    ensure!(
-        args.allow_missing.is_empty() || typed != TypedMethod::Fd,
-        "--allow-missing is for methods that differentiate samples: finite differences miss \
-         nothing. Leave it out"
-    );
     let Some((option, owner)) = refused else {
         return Ok(());
     };

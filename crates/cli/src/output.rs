@@ -5,9 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
-use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview, Style};
-use capwalk::text::significant;
-use capwalk::{Error, Estimate, FilesRead, Image, RenderOptions, Setting, Statistics};
+use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview};
+use capwalk::{Error, Estimate, FilesRead, RenderOptions, Setting, Statistics};
 
 use crate::args::SceneArgs;
 
@@ -161,48 +160,11 @@ pub fn push_statistics(layered: &mut LayeredImage, pieces: &[&Statistics]) {
     note(layered, "samples", sum(|s| s.samples));
     note(layered, "complete", pieces.iter().all(|s| s.complete));
     note(layered, "non_finite_samples", sum(|s| s.non_finite));
-    for (key, value) in pieces.iter().flat_map(|piece| missing_notes(piece)) {
-        note(layered, &key, value);
-    }
     let counts = pieces.iter().map(|s| s.samples_per_pixel.clone());
     layered.samples = counts.reduce(|sum, more| {
         let pairs = sum.iter().zip(&more);
         pairs.map(|(a, b)| a.saturating_add(*b)).collect()
     });
-}
-
-/// What a file says of what is left out of a derivative, if something is.
-pub fn missing_notes(statistics: &Statistics) -> Vec<(String, String)> {
-    let pair = |key: &str, value: String| (key.to_owned(), value);
-    statistics.missing.as_ref().map_or(Vec::new(), |missing| {
-        vec![
-            pair("missing", "specular".into()),
-            pair("missing_share", missing.share.to_string()),
-            pair("missing_share_stderr", missing.standard_error.to_string()),
-        ]
-    })
-}
-
-/// The heading of the preview of a gradient.
-pub fn gradient_title(statistics: &Statistics) -> String {
-    match &statistics.missing {
-        None => "gradient".into(),
-        Some(missing) => format!(
-            "gradient, partial: {}% of the light is by specular paths",
-            significant(100.0 * missing.share, 2)
-        ),
-    }
-}
-
-/// The preview of a gradient.
-pub fn gradient_panel<'a>(title: &'a str, image: &'a Image) -> Panel<'a> {
-    let limit = image::robust_limit([image]);
-    let style = Style::Diverging { limit };
-    Panel {
-        title,
-        image,
-        style,
-    }
 }
 
 /// Adds an estimate as a layer and another with its standard errors: `stderr`

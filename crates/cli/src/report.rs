@@ -3,7 +3,7 @@
 use anyhow::{Result, bail};
 use capwalk::text::cut;
 pub use capwalk::text::{count, list, number, plus_minus, significant};
-use capwalk::{Estimate, Image, Missing, Rgb, Statistics, missing_text};
+use capwalk::{Estimate, Image, Rgb, Statistics};
 use serde_json::{Value, json};
 
 use crate::diagnostics::Outcome;
@@ -96,16 +96,6 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
             "warning: the {what} is partial: {least} to {most} samples per pixel were taken\n"
         );
     }
-    if let Some(missing) = &statistics.missing {
-        let where_it_moves = match statistics.uncovered {
-            0 => "Something moves there that no sample has shown".into(),
-            events => format!("Something moves there in {} specular events", count(events)),
-        };
-        text += &format!(
-            "warning: the {what} is incomplete: {}. {where_it_moves}\n",
-            missing_text(missing),
-        );
-    }
     if statistics.non_finite > 0 {
         text += &format!(
             "{}: {} of {} samples of the {what} were infinite or NaN; they count as zero{}\n",
@@ -179,19 +169,8 @@ pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
         "fewest_samples_per_pixel": taken.iter().min(),
         "most_samples_per_pixel": taken.iter().max(),
         "non_finite": statistics.non_finite,
-        "uncovered": statistics.uncovered,
-        "missing": statistics.missing.as_ref().map(missing_json),
         "cone_queries": statistics.cone_queries,
         "seconds": elapsed,
-    })
-}
-
-/// What a derivative leaves out.
-pub fn missing_json(missing: &Missing) -> Value {
-    json!({
-        "what": "specular",
-        "share": missing.share,
-        "standard_error": missing.standard_error,
     })
 }
 

@@ -3,13 +3,15 @@
 
 use std::ops::AddAssign;
 
-use capwalk_boundary::{Accel, Boundaries};
+use std::sync::Arc;
+
+use capwalk_boundary::{Accel, Boundaries, bends_images};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Tape, Vec3};
 use capwalk_render::Accumulate;
 use capwalk_scene::{
-    Emitter, EmitterVectors, Gradient, Optic, Scene, SensorVectors, ShadingNormals, ShapeId,
-    ShapeVectors, Tangent, TextureId, corner_normals, normal_sums,
+    Emitter, EmitterVectors, Gradient, Optic, Quantity, Scene, SensorVectors, ShadingNormals,
+    Shape, ShapeId, ShapeVectors, Tangent, TextureId, corner_normals, normal_sums,
 };
 use serde::{Deserialize, Serialize};
 
@@ -110,6 +112,27 @@ impl Wanted {
     pub fn geometry(&self) -> bool {
         let rays_move = self.sensor_origin || self.sensor_axes || self.aperture;
         rays_move || self.shapes.contains(&true) || self.emitters.contains(&true)
+    }
+
+    /// True if something wanted moves what is seen, or turns specular directions.
+    pub fn turns_light(&self, scene: &Scene) -> bool {
+        let turns = |quantity: Quantity| {
+            matches!(
+                quantity,
+                Quantity::RefractiveIndex { bends: true } | Quantity::Normal | Quantity::Height
+            )
+        };
+        let shapes = scene.shapes.iter().enumerate();
+        let mut bent = shapes.filter(|(_, shape)| bends_images(scene, shape));
+        let by_material = |(i, shape): (usize, &Arc<Shape>)| {
+            let slots = scene.slots_below(shape.bsdf);
+            self.normals[i]
+                || slots.iter().any(|slot| {
+                    let numbers = scene.numbers_of(slot.texture, shape);
+                    turns(slot.quantity) && self.textures[numbers.0 as usize]
+                })
+        };
+        self.geometry() || bent.any(by_material)
     }
 
     /// True if anything of the sensor is wanted.

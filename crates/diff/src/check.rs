@@ -147,12 +147,6 @@ pub enum Verdict {
         /// In which respects.
         reason: String,
     },
-    /// Something is left out of the gradient, see [`Statistics::missing`](crate::Statistics), and
-    /// only the light that it does not concern is compared.
-    Partial {
-        /// The verdict on the derivative of that light.
-        rest: Box<Self>,
-    },
     /// The noise hides what is asked for, or explains the differences only in part.
     Inconclusive {
         /// Samples per pixel, as a multiple of those taken, that would be

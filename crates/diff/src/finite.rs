@@ -4,16 +4,14 @@
 
 use std::sync::OnceLock;
 
-use capwalk_boundary::{Counts, Draw, Method, Refusal, Stream};
+use capwalk_boundary::{Counts, Draw, Refusal, Stream};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
 use capwalk_render::{
-    Estimate, LeavesOut, Part, Partial, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch,
-    adaptive,
+    Estimate, Part, Partial, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Scene, Tangent};
 
-use crate::forward::left_out;
 use crate::gradient_image::GradientImage;
 
 /// Where images are taken for a difference, see [`finite_difference`].
@@ -141,7 +139,6 @@ pub struct Differences<'a> {
     places: Vec<Place>,
     /// As many as places.
     scenes: Vec<PreparedScene>,
-    leaves_out: LeavesOut,
 }
 
 impl<'a> Differences<'a> {
@@ -157,18 +154,7 @@ impl<'a> Differences<'a> {
             stencil,
             scenes: places.iter().map(moved).collect(),
             places,
-            leaves_out: LeavesOut::Nothing,
         })
-    }
-
-    /// The differences of the image that [`GradientWork::of_rest`](crate::GradientWork::of_rest)
-    /// differentiates by this method.
-    #[must_use]
-    pub fn of_rest(self, method: Method) -> Self {
-        Self {
-            leaves_out: left_out(method),
-            ..self
-        }
     }
 
     /// To which sides the parameter moves.
@@ -231,7 +217,6 @@ impl<'a> Differences<'a> {
         GradientImage {
             value: averages.estimate(self.scene, 0),
             gradient: averages.estimate(self.scene, DERIVATIVE),
-            missing: None,
             chosen: None,
             statistics: averages.statistics,
         }
@@ -244,10 +229,7 @@ impl<'a> Differences<'a> {
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
         let plan = Plan::new(self.scene).for_differences();
-        let tracer = |scene| {
-            let tracer = Tracer::primal(scene).with_plan(plan);
-            tracer.leaving_out(self.leaves_out)
-        };
+        let tracer = |scene| Tracer::primal(scene).with_plan(plan);
         let tracers: Vec<_> = self.scenes.iter().map(tracer).collect();
         // Each sample by itself, in double precision: what packets do not resolve would move between
         // the two sides.

@@ -5,20 +5,19 @@ use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
     refuse_boundaries, refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows,
-    refuse_motion, refuse_settings, refuse_turned_without_uvs,
+    refuse_motion, refuse_settings, refuse_specular, refuse_turned_without_uvs,
 };
-use capwalk_boundary::{Boundaries, Counts, Draw, Field, Method, Refusal, Stream};
+use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Stream};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
 use capwalk_render::{
-    Grid, LaneTracer, LeavesOut, Missing, MotionFacts, Part, PartError, Partial, PathAdjoint,
-    PreparedScene, RenderOptions, SceneEval, Tracer, Watch, adaptive,
+    Grid, LaneTracer, MotionFacts, Part, PartError, Partial, PathAdjoint, PreparedScene,
+    RenderOptions, SceneEval, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
 use crate::adjoint::Wanted;
 use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize};
-use crate::coverage::Coverage;
 use crate::forward_eval::Forward;
 use crate::gradient_image::GradientImage;
 use crate::options::GradientOptions;
@@ -35,14 +34,6 @@ pub fn gradient(
     GradientWork::new(prepared, Cow::Borrowed(tangent), *options).whole(watch)
 }
 
-/// What is left out by a method where only the rest of the light is asked for.
-pub(crate) fn left_out(method: Method) -> LeavesOut {
-    match method.traits().is_spherical {
-        true => LeavesOut::Curved,
-        false => LeavesOut::Specular,
-    }
-}
-
 /// A derivative image that is computed in parts.
 #[derive(Debug)]
 pub struct GradientWork<'a> {
@@ -52,7 +43,6 @@ pub struct GradientWork<'a> {
     wanted: Wanted,
     options: GradientOptions,
     /// True if light of which the derivative is incomplete is left out of the image, too.
-    is_of_rest: bool,
     chosen: OnceLock<Chosen>,
     kept: KeptChoice,
     facts: Arc<MotionFacts>,
@@ -68,15 +58,16 @@ impl<'a> GradientWork<'a> {
         tangent: Cow<'a, Tangent>,
         options: GradientOptions,
     ) -> Self {
+        let wanted = Wanted::by(&tangent);
+        let turns_light = wanted.turns_light(prepared.scene());
         Self {
             prepared,
-            wanted: Wanted::by(&tangent),
+            wanted,
             tangent,
             options,
-            is_of_rest: false,
             chosen: OnceLock::new(),
             kept: KeptChoice::default(),
-            facts: Arc::new(MotionFacts::of(prepared.scene())),
+            facts: Arc::new(MotionFacts::of(prepared.scene(), turns_light)),
             counts: OnceLock::new(),
             fingerprint: OnceLock::new(),
         }
@@ -86,24 +77,6 @@ impl<'a> GradientWork<'a> {
     #[must_use]
     pub fn keeping(self, kept: KeptChoice) -> Self {
         Self { kept, ..self }
-    }
-
-    /// This work for the image without the light of which the derivative leaves something out (see
-    /// [`AllowMissing`](crate::AllowMissing)): that is complete. By the method that was chosen for
-    /// the whole, if it was. What either finds out about the motion, both know.
-    #[must_use]
-    pub fn of_rest(&self) -> Self {
-        Self {
-            tangent: self.tangent.clone(),
-            wanted: self.wanted.clone(),
-            is_of_rest: true,
-            chosen: self.chosen.clone(),
-            kept: self.kept.clone(),
-            facts: Arc::clone(&self.facts),
-            counts: OnceLock::new(),
-            fingerprint: OnceLock::new(),
-            ..*self
-        }
     }
 
     /// What changes.
@@ -122,14 +95,14 @@ impl<'a> GradientWork<'a> {
         self.boundaries(watch).map(|_| ())
     }
 
-    /// All of it at once, see [`gradient`]; or of the rest of the light, see [`Self::of_rest`].
+    /// All of it at once, see [`gradient`].
     pub fn whole(&self, watch: &dyn Watch) -> Result<GradientImage, Refusal> {
         let (chosen, part) = (self.chosen(watch)?, Part::whole(self.grid()));
         let partial = self.sums(&chosen.options, None, &part, watch)?;
         Ok(self.gradient_image(partial.into_sums(), chosen))
     }
 
-    /// The method that the work is done by, see [`Method::Auto`]; found
+    /// The method that the work is done by, see [`Method::Auto`](crate::Method::Auto); found
     /// by the first call. Refused like the work.
     pub fn chosen(&self, watch: &dyn Watch) -> Result<Chosen, Refusal> {
         let choose = || {
@@ -146,8 +119,7 @@ impl<'a> GradientWork<'a> {
         };
         let refuse = || self.check(watch);
         let (known, kept) = (&self.chosen, &self.kept);
-        let coverage = self.coverage();
-        Chosen::of(&self.options, known, kept, watch, &coverage, refuse, choose)
+        Chosen::of(&self.options, known, kept, watch, refuse, choose)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -208,13 +180,9 @@ impl<'a> GradientWork<'a> {
         // A sample is one of the image, over numbers that carry their derivative along
         // the tangent.
         let tracer = Tracer::moving(prepared, field, options.walk, &self.facts);
-        let tracer = match self.is_of_rest {
-            true => tracer.leaving_out(left_out(options.method)),
-            false => tracer,
-        };
         // Where nothing moves, paths are those of an image.
         let is_asked_for = |id: TextureId| self.tangent.textures[id.0 as usize].is_some();
-        let lanes = match self.wanted.moves() || self.is_of_rest {
+        let lanes = match self.wanted.moves() {
             true => None,
             false => LaneTracer::differentiating(prepared, &is_asked_for),
         };
@@ -235,11 +203,9 @@ impl<'a> GradientWork<'a> {
             let light = tracer.pixel(&eval, pixel, draw);
             let (value, derivative) = (light.value(), light.tangent(0));
             let [[a, b, c], [d, e, f]] = [value, derivative].map(|rgb| rgb.to_array());
-            let missing = counts.missing.get().mean();
             Sample {
-                numbers: [a, b, c, d, e, f, missing],
+                numbers: [a, b, c, d, e, f],
                 cone_queries: counts.queries.get(),
-                uncovered: counts.uncovered.get(),
                 ..Sample::default()
             }
         };
@@ -248,14 +214,8 @@ impl<'a> GradientWork<'a> {
     }
 
     fn boundaries(&self, watch: &dyn Watch) -> Result<&'a Boundaries, Refusal> {
-        boundaries(self.prepared, self.wanted.moves(), watch)
-    }
-
-    fn coverage(&self) -> Coverage<'_> {
-        Coverage {
-            prepared: self.prepared,
-            wanted: &self.wanted,
-        }
+        let moves = self.wanted.moves() || self.facts.turns_light();
+        boundaries(self.prepared, moves, watch)
     }
 
     /// Refuses what cannot be differentiated rightly. That needs no sample, but the boundaries if
@@ -267,33 +227,27 @@ impl<'a> GradientWork<'a> {
         refuse_settings(&options.method, &options.walk)?;
         let is_asked_for = |id: TextureId| tangent.textures[id.0 as usize].is_some();
         refuse_infinite_derivatives(scene, is_asked_for)?;
-        let moves = self.wanted.geometry();
+        let moves = self.facts.turns_light();
         let turns = tangent.shapes.iter().any(Option::is_some);
         refuse_cut_normals(scene, turns || moves, is_asked_for)?;
         if moves {
             refuse_motion(accel, &options.method)?;
+            refuse_specular(scene, &options.method)?;
             refuse_many_shadows(self.boundaries(watch)?)?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
-        refuse_boundaries(self.boundaries(watch)?, &options.method, &options.walk)?;
-        self.coverage().check(options, watch)
+        refuse_boundaries(self.boundaries(watch)?, &options.method, &options.walk)
     }
 
     fn gradient_image(&self, sums: Vec<PixelSums>, chosen: Chosen) -> GradientImage {
         let scene = self.prepared.scene();
         let averages = Averages::new(sums);
         let value = averages.estimate(scene, 0);
-        let mut statistics = averages.statistics.clone();
-        // A sample may show what no probe has found: then the result says so.
-        let is_missing = !self.is_of_rest
-            && (statistics.uncovered > 0 || self.coverage().is_incomplete(&self.options));
-        let missing = is_missing.then(|| averages.grey(scene, MISSING));
-        statistics.missing = missing.as_ref().map(|missing| Missing::of(missing, &value));
+        let statistics = averages.statistics.clone();
         GradientImage {
             value,
             gradient: averages.estimate(scene, DERIVATIVE),
-            missing,
             chosen: Some(chosen),
             statistics,
         }
@@ -301,11 +255,7 @@ impl<'a> GradientWork<'a> {
 
     fn fingerprint(&self) -> u64 {
         let scene = self.prepared.scene();
-        let what = match self.is_of_rest {
-            true => "gradient of the rest",
-            false => "gradient",
-        };
-        let inputs = (what, scene, &self.tangent, &self.options);
+        let inputs = ("gradient", scene, &self.tangent, &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
     }
 }
@@ -360,7 +310,7 @@ fn take_together(
             .map(|(sample, (derivative, effort))| {
                 let [[a, b, c], [d, e, f]] = [sample.numbers, derivative.to_array()];
                 Sample {
-                    numbers: [a, b, c, d, e, f, 0.0],
+                    numbers: [a, b, c, d, e, f],
                     effort: sample.effort + effort,
                     ..Sample::default()
                 }
@@ -368,10 +318,7 @@ fn take_together(
     );
 }
 
-/// Numbers of a sample: value, derivative, and what of the value arrives where something is
-/// missing.
-const NUMBERS: usize = 7;
+/// Numbers of a sample: value and derivative.
+const NUMBERS: usize = 6;
 /// The first of the derivative.
 const DERIVATIVE: usize = 3;
-/// The last of them.
-const MISSING: usize = 6;

@@ -193,7 +193,9 @@ impl SceneEval<D> for Forward<'_> {
         if self.is_still(viewpoint) {
             return Warped::still(q);
         }
-        let warp = self.field.warp(viewpoint, q, walk, numbers);
+        self.moved(viewpoint, q, self.field.warp(viewpoint, q, walk, numbers))
+    }
+    fn moved(&self, viewpoint: &Viewpoint<D>, q: Vec3, warp: Warp) -> Warped<D> {
         let (velocity, divergence) = self.evaluate(&warp, viewpoint);
         Warped {
             direction: q.with_tangent(velocity.reject_from(q)),

@@ -11,9 +11,6 @@ pub struct GradientImage {
     pub value: Estimate,
     /// Its derivative per unit of the parameter.
     pub gradient: Estimate,
-    /// Where something is left out of the derivative, see [`Statistics::missing`]: what of the
-    /// image arrives by paths that it concerns, the mean over the channels in each of them.
-    pub missing: Option<Estimate>,
     /// The method that samples were differentiated by, or the one that was asked for if others chose
     /// it and computed all parts. `None` for finite differences.
     pub chosen: Option<Chosen>,

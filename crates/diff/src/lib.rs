@@ -9,7 +9,6 @@
 mod adjoint;
 mod auto;
 pub mod check;
-mod coverage;
 mod finite;
 mod forward;
 mod forward_eval;
@@ -21,11 +20,9 @@ mod reverse_eval;
 
 // What appears in the signatures here.
 pub use capwalk_boundary::pool::with_threads;
-pub use capwalk_boundary::{
-    Gathers, Method, MethodTraits, Refusal, SpecularCause, may_be_specular,
-};
+pub use capwalk_boundary::{Gathers, Method, MethodTraits, Refusal, may_be_specular};
 pub use capwalk_render::{
-    Accumulate, Cell, Device, Estimate, Grid, Halted, Missing, Part, PartError, Partial, PixelSums,
+    Accumulate, Cell, Device, Estimate, Grid, Halted, Part, PartError, Partial, PixelSums,
     PreparedScene, Purpose, RenderOptions, RenderWork, Rendering, Seed, Statistics, Unwatched,
     UsedDevice, Watch, render,
 };
@@ -37,7 +34,7 @@ pub use finite::{Differences, Stencil, finite_difference};
 pub use forward::{GradientWork, gradient};
 pub use forward_eval::Forward;
 pub use gradient_image::GradientImage;
-pub use options::{AllowMissing, GradientOptions};
+pub use options::GradientOptions;
 pub use refused::refusal;
 pub use reverse::{Backward, BackwardWork, BatchSums, backward};
 pub use reverse_eval::Reverse;

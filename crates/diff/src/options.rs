@@ -27,21 +27,10 @@ pub struct GradientOptions {
     pub blind: bool,
     /// The walk that builds the velocity field, for methods that walk.
     pub walk: WalkSettings,
-    /// What may be left out of a derivative that would be refused otherwise.
-    pub allow_missing: AllowMissing,
     /// Where `Prepared` in the crate `capwalk` computes; the functions of this crate compute on the
     /// CPU. Neither in fingerprints nor in stored bytes.
     #[serde(skip)]
     pub device: Device,
-}
-
-/// Parts of derivatives that may be left out. The rest is estimated as ever, and
-/// [`Statistics::missing`](crate::Statistics::missing) says what is missing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct AllowMissing {
-    /// How silhouettes move that are seen in curved mirrors, through refracting glass, or after
-    /// many reflections.
-    pub specular: bool,
 }
 
 impl Default for GradientOptions {
@@ -69,7 +58,6 @@ impl From<RenderOptions> for GradientOptions {
             blind: false,
             method: Method::default(),
             walk: WalkSettings::default(),
-            allow_missing: AllowMissing::default(),
             device,
         }
     }
@@ -123,16 +111,7 @@ mod tests {
         let images = fingerprint(&(spp, adaptive, seed, grid));
         assert_eq!(fingerprint(&gpu.sampling()), images);
         let (method, walk) = (gpu.method, gpu.walk);
-        let before = (
-            spp,
-            adaptive,
-            seed,
-            method,
-            grid,
-            gpu.blind,
-            walk,
-            gpu.allow_missing,
-        );
+        let before = (spp, adaptive, seed, method, grid, gpu.blind, walk);
         assert_eq!(fingerprint(&gpu), fingerprint(&before));
         let bytes = [pack(&gpu), pack(&before)].map(|bytes| bytes.expect("they can be written"));
         assert_eq!(bytes[0], bytes[1]);

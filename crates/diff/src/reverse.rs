@@ -7,15 +7,15 @@ use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::refuse::{
     refuse_boundaries, refuse_cut_normals, refuse_infinite_derivatives, refuse_many_shadows,
-    refuse_motion, refuse_settings, refuse_turned_without_uvs,
+    refuse_motion, refuse_settings, refuse_specular, refuse_turned_without_uvs,
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles::{self, Sample, SamplePlace};
 use capwalk_render::{
-    Accumulate, Along, Grid, LaneTracer, Missing, MotionFacts, OrderedSum, Part, PartError,
-    Partial, PathAdjoint, PreparedScene, Statistics, Tracer, Unwatched, Watch,
+    Accumulate, Along, Grid, LaneTracer, MotionFacts, OrderedSum, Part, PartError, Partial,
+    PathAdjoint, PreparedScene, Statistics, Tracer, Unwatched, Watch,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint, memory};
 use rayon::prelude::*;
@@ -23,7 +23,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::adjoint::{Adjoint, Target, Wanted};
 use crate::auto::{Chosen, KeptChoice, Pilot, PilotSize, motion};
-use crate::coverage::Coverage;
 use crate::options::GradientOptions;
 use crate::refused::{boundaries, refuse_sums_beyond_memory};
 use crate::reverse_eval::Reverse;
@@ -141,6 +140,7 @@ impl<'a> BackwardWork<'a> {
         wanted: Wanted,
         options: GradientOptions,
     ) -> Self {
+        let turns_light = wanted.turns_light(prepared.scene());
         Self {
             prepared,
             adjoint,
@@ -149,7 +149,7 @@ impl<'a> BackwardWork<'a> {
             chosen: OnceLock::new(),
             kept: KeptChoice::default(),
             size: PilotSize::of(prepared.scene(), &options, 1),
-            facts: Arc::new(MotionFacts::of(prepared.scene())),
+            facts: Arc::new(MotionFacts::of(prepared.scene(), turns_light)),
             fingerprint: OnceLock::new(),
         }
     }
@@ -188,7 +188,10 @@ impl<'a> BackwardWork<'a> {
                 prepared: self.prepared,
                 tangent: &motion(self.prepared.scene(), &self.wanted),
                 // The motion of the pilot is not what the passes know.
-                facts: &Arc::new(MotionFacts::of(self.prepared.scene())),
+                facts: &Arc::new(MotionFacts::of(
+                    self.prepared.scene(),
+                    self.facts.turns_light(),
+                )),
                 is_blind: true,
                 options: &self.options,
                 size: self.size,
@@ -198,8 +201,7 @@ impl<'a> BackwardWork<'a> {
         };
         let refuse = || self.check(watch);
         let (known, kept) = (&self.chosen, &self.kept);
-        let coverage = self.coverage();
-        Chosen::of(&self.options, known, kept, watch, &coverage, refuse, choose)
+        Chosen::of(&self.options, known, kept, watch, refuse, choose)
     }
 
     /// What a part of the work gives: of its cells those that are finished when `watch` stops
@@ -321,14 +323,8 @@ impl<'a> BackwardWork<'a> {
     }
 
     fn boundaries(&self, watch: &dyn Watch) -> Result<&'a Boundaries, Refusal> {
-        boundaries(self.prepared, self.wanted.moves(), watch)
-    }
-
-    fn coverage(&self) -> Coverage<'_> {
-        Coverage {
-            prepared: self.prepared,
-            wanted: &self.wanted,
-        }
+        let moves = self.wanted.moves() || self.facts.turns_light();
+        boundaries(self.prepared, moves, watch)
     }
 
     /// Refuses what cannot be differentiated rightly. That needs no sample, but the boundaries if
@@ -348,14 +344,14 @@ impl<'a> BackwardWork<'a> {
         refuse_infinite_derivatives(scene, is_asked_for)?;
         let turns = wanted.normals.contains(&true);
         refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
-        if wanted.geometry() {
+        if self.facts.turns_light() {
             refuse_motion(accel, &options.method)?;
+            refuse_specular(scene, &options.method)?;
             refuse_many_shadows(self.boundaries(watch)?)?;
         } else if turns {
             refuse_turned_without_uvs(scene)?;
         }
-        refuse_boundaries(self.boundaries(watch)?, &options.method, &options.walk)?;
-        self.coverage().check(options, watch)
+        refuse_boundaries(self.boundaries(watch)?, &options.method, &options.walk)
     }
 
     fn backward(&self, batches: Vec<BatchSums>, chosen: Chosen) -> Result<Backward, Refusal> {
@@ -368,7 +364,6 @@ impl<'a> BackwardWork<'a> {
         };
         let is_empty = batches.iter().all(|batch| batch.samples() == 0);
         let mut gradients: Vec<(Gradient, u64)> = Vec::new();
-        let radiances: Vec<[f64; 2]> = batches.iter().map(|batch| batch.radiance).collect();
         for batch in batches {
             batch.add_to(&mut statistics);
             let samples = batch.samples();
@@ -380,9 +375,6 @@ impl<'a> BackwardWork<'a> {
         let taken = &statistics.samples_per_pixel;
         statistics.complete = taken.iter().all(|&taken| taken == self.options.spp);
         statistics.samples = taken.iter().map(|&taken| u64::from(taken)).sum();
-        // A sample may show what no probe has found: then the result says so.
-        let is_missing = statistics.uncovered > 0 || self.coverage().is_incomplete(&self.options);
-        statistics.missing = is_missing.then(|| missing(&radiances));
         Ok(Backward::new(gradients, chosen, statistics))
     }
 
@@ -390,24 +382,6 @@ impl<'a> BackwardWork<'a> {
         let scene = self.prepared.scene();
         let inputs = ("backward", scene, self.adjoint, &self.wanted, &self.options);
         *self.fingerprint.get_or_init(|| fingerprint(&inputs))
-    }
-}
-
-/// The share of the radiance that is missing, from what each batch has of it and in all.
-fn missing(batches: &[[f64; 2]]) -> Missing {
-    let sum = |of: usize| batches.iter().map(|batch| batch[of]).sum::<f64>();
-    if sum(1) == 0.0 {
-        return Missing::NOTHING;
-    }
-    let share = sum(0) / sum(1);
-    // What is off a common share in each of them.
-    let squares = batches
-        .iter()
-        .map(|[part, all]| (part - share * all).powi(2));
-    let n = batches.len() as f64;
-    Missing {
-        share,
-        standard_error: (squares.sum::<f64>() * n / (n - 1.0)).sqrt() / sum(1),
     }
 }
 
@@ -434,9 +408,6 @@ pub struct BatchSums {
     bands: Vec<Band>,
     non_finite: u64,
     cone_queries: u64,
-    uncovered: u64,
-    /// The radiance of all samples together: by paths of which something is missing, and by all paths.
-    radiance: [f64; 2],
 }
 
 /// How many samples the pixels of a band have.
@@ -477,7 +448,6 @@ impl BatchSums {
         counts.zip(taken).for_each(|(count, taken)| *count += taken);
         statistics.non_finite += self.non_finite;
         statistics.cone_queries += self.cone_queries;
-        statistics.uncovered += self.uncovered;
     }
 }
 
@@ -491,9 +461,6 @@ impl Accumulate for BatchSums {
         self.bands.extend(&next.bands);
         self.non_finite += next.non_finite;
         self.cone_queries += next.cone_queries;
-        self.uncovered += next.uncovered;
-        let sums = self.radiance.iter_mut().zip(next.radiance);
-        sums.for_each(|(sum, next)| *sum += next);
     }
 }
 
@@ -640,8 +607,6 @@ impl Pass<'_> {
             }],
             non_finite: 0,
             cone_queries: 0,
-            uncovered: 0,
-            radiance: [0.0; 2],
         }
     }
 
@@ -677,11 +642,7 @@ impl Pass<'_> {
         lanes.differentiate(places, on_light, taken, |sample, on_path| {
             self.pull_back(on_path, tape, adjoints, &mut on_scene[sample]);
         });
-        for (sample, covectors) in taken.iter().zip(&*on_scene) {
-            let light = Rgb::from(sample.numbers).mean();
-            if light.is_finite() {
-                sums.radiance[1] += light;
-            }
+        for covectors in &*on_scene {
             sums.add_all(covectors);
         }
     }
@@ -747,14 +708,8 @@ impl Pass<'_> {
         // Backwards through the record: from the pixel's covector to those on the scene.
         covectors.clear();
         eval.pull_back(&[(light, self.adjoint.pixels[pixel])], adjoints, covectors);
-        let radiance = [counts.missing.get(), light.value()].map(Rgb::mean);
         tape.clear();
         sums.cone_queries += counts.queries.get();
-        sums.uncovered += counts.uncovered.get();
-        if radiance.iter().all(|x| x.is_finite()) {
-            sums.radiance[0] += radiance[0];
-            sums.radiance[1] += radiance[1];
-        }
         sums.add_all(covectors);
     }
 }

@@ -256,7 +256,9 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         if self.is_still(viewpoint) {
             return Warped::still(q);
         }
-        let warp = self.field.warp(viewpoint, q, walk, numbers);
+        self.moved(viewpoint, q, self.field.warp(viewpoint, q, walk, numbers))
+    }
+    fn moved(&self, viewpoint: &Viewpoint<Var<'t>>, q: Vec3, warp: Warp) -> Warped<Var<'t>> {
         let near_boundary = !warp.is_zero();
         let (direction, jacobian) = self.warped(viewpoint, q, warp, true);
         Warped {

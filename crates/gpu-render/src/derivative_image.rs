@@ -114,7 +114,7 @@ impl DeviceScene<'_> {
         };
         let has_edges = boundaries.is_some() && eval.moves();
         let crossed = boundaries.filter(|_| has_edges);
-        let facts = Arc::new(MotionFacts::of(scene));
+        let facts = Arc::new(MotionFacts::of(scene, true));
         let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
         let crossed = crossed.map(|boundaries| self.edges(&eval, &tracer, boundaries, &motion));
         let crossed = crossed.transpose()?;
@@ -140,7 +140,6 @@ impl DeviceScene<'_> {
         Ok(GradientImage {
             value: averages.estimate(scene, 0),
             gradient: averages.estimate(scene, 3),
-            missing: None,
             chosen: Some(settled(options, &Wanted::by(tangent))),
             statistics: averages.statistics,
         })

@@ -100,7 +100,7 @@ impl DeviceScene<'_> {
         let none = self.prepared.boundaries_if(false);
         let method = by_edges(&options.method, accel);
         let field = Field::new(accel, boundaries.unwrap_or(none), method);
-        let facts = Arc::new(MotionFacts::of(&accel.scene));
+        let facts = Arc::new(MotionFacts::of(&accel.scene, true));
         let tracer = Tracer::moving(self.prepared, field, options.walk, &facts);
         let inverse_scale = self.frame.inverse_scale;
         let mut sums = Sums::new(

@@ -160,7 +160,7 @@ fn in_motion(
             prepared.boundaries_if(false),
             by_edges(&options.method, accel),
         );
-        let facts = Arc::new(MotionFacts::of(scene));
+        let facts = Arc::new(MotionFacts::of(scene, true));
         let tracer = Tracer::moving(prepared, field, options.walk, &facts);
         let walk = tracer.surface_walks()?.settings;
         let is_usual = walk.steps == 1 && walk.estimator == Estimator::Anchored;

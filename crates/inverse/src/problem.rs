@@ -1,6 +1,6 @@
 //! What is looked for, and how: the data of an optimisation.
 
-use capwalk_diff::{AllowMissing, Method, WalkSettings};
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_scene::{Film, Image, Scene, Sensor};
 
 use crate::adam::Adam;
@@ -40,8 +40,6 @@ pub struct Problem {
     pub method: Method,
     /// The walk that builds the velocity field, for methods that walk.
     pub walk: WalkSettings,
-    /// What gradients may leave out instead of being refused.
-    pub allow_missing: AllowMissing,
 }
 
 /// An image that is compared with a target.

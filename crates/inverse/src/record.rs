@@ -1,7 +1,5 @@
 //! What is written down of every iteration: a row of a table (CSV).
 
-use capwalk_diff::{AllowMissing, Missing, may_be_specular};
-
 use crate::problem::Problem;
 use crate::variable::Variables;
 
@@ -39,8 +37,6 @@ pub struct Step {
     pub length: f64,
     /// The learning rate, after the schedule.
     pub lr: f64,
-    /// What the gradient leaves out, in the view that has the largest share of it.
-    pub missing: Option<Missing>,
 }
 
 /// The first line of the table, with its end.
@@ -57,9 +53,6 @@ pub fn header(problem: &Problem) -> String {
     ]
     .map(String::from)
     .to_vec();
-    if may_be_missing(problem) {
-        names.push("missing_share".into());
-    }
     if problem.views.len() > 1 {
         names.extend((1..=problem.views.len()).map(|view| format!("loss of view {view}")));
     }
@@ -88,10 +81,6 @@ impl Row {
             step(|step| step.length),
             step(|step| step.lr),
         ];
-        if may_be_missing(problem) {
-            let share = |step: &Step| step.missing.map_or(0.0, |missing| missing.share);
-            cells.push(maybe(self.step.as_ref().map(share)));
-        }
         if problem.views.len() > 1 {
             cells.extend(self.by_view.iter().map(|&loss| number(loss)));
         }
@@ -99,15 +88,6 @@ impl Row {
         cells.extend(columns.map(|(_, place)| number(self.values[place])));
         line(cells)
     }
-}
-
-/// True if gradients may leave something out: then the table has a column for its share of the
-/// radiance. Without leave they may after the first step, where something has come to be seen in a
-/// mirror.
-fn may_be_missing(problem: &Problem) -> bool {
-    let mut shapes = problem.scene.shapes.iter();
-    problem.allow_missing != AllowMissing::default()
-        || shapes.any(|shape| may_be_specular(&problem.scene, shape.bsdf))
 }
 
 /// Values that have columns: their names and where they are.

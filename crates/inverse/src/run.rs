@@ -3,8 +3,8 @@
 use std::fmt;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, Missing, PreparedScene, Purpose, Refusal, RenderOptions,
-    Seed, Statistics, Unwatched, Watch, backward, render,
+    BackwardWork, Chosen, GradientOptions, PreparedScene, Purpose, Refusal, RenderOptions, Seed,
+    Statistics, Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -117,8 +117,6 @@ struct Gradient {
     numbers: Vec<f64>,
     /// Standard error of each, for the images as they were.
     errors: Vec<f64>,
-    /// What is left out, in the view that has the largest share of it.
-    missing: Option<Missing>,
 }
 
 impl Problem {
@@ -306,7 +304,6 @@ impl Problem {
             gradient_noise: norm(gradient.errors.into_iter()),
             length: norm(differences.map(|(a, b)| a - b)),
             lr: factor * self.lr,
-            missing: gradient.missing,
         });
         // The step counts only if the scene can be rendered and its meshes are whole.
         let after = self.scene(&next).map_err(Stop::Outside)?;
@@ -330,7 +327,6 @@ impl Problem {
         let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
         let wanted = self.variables.wanted(&self.scene);
         let shares = self.shares();
-        let mut missing: Option<Missing> = None;
         for (i, prepared) in views.iter().enumerate() {
             // The adjoint image of the view: s_v ∂loss/∂I_v.
             let adjoint = &seen.measured[i].adjoint;
@@ -342,15 +338,10 @@ impl Problem {
             // the mean of the product is the product of the means.
             let iteration = u64::from(row.iteration);
             let seed = Seed(self.seed).of_iteration(iteration, i as u64, Purpose::Gradient);
-            let mut options = self.gradient_options(RenderOptions::new(self.spp_grad, seed.0));
-            // What is seen in curved mirrors refuses the first step or none: a scene that has changed
-            // a little stops no run, and the row says what is left out.
-            options.allow_missing.specular |= row.iteration > 0;
+            let options = self.gradient_options(RenderOptions::new(self.spp_grad, seed.0));
             let result =
                 backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::from)?;
             refuse_unusable("gradient", row.iteration, &result.statistics)?;
-            let either = [missing, result.statistics.missing].into_iter().flatten();
-            missing = either.max_by(|a, b| a.share.total_cmp(&b.share));
             // From the scene to its values to the unknowns: two transposed linear maps.
             let pull = |gradient: &_| {
                 let variables = &self.variables;
@@ -368,7 +359,6 @@ impl Problem {
         Ok(Gradient {
             numbers: sums,
             errors: squares.into_iter().map(f64::sqrt).collect(),
-            missing,
         })
     }
 
@@ -418,7 +408,6 @@ impl Problem {
         GradientOptions {
             method: self.method,
             walk: self.walk,
-            allow_missing: self.allow_missing,
             ..options.into()
         }
     }

@@ -1,9 +1,7 @@
 //! The gradient of a loss, as an iteration takes it, against finite differences of
 //! the loss itself.
 
-use capwalk_diff::{
-    AllowMissing, Method, PreparedScene, RenderOptions, Unwatched, WalkSettings, render,
-};
+use capwalk_diff::{Method, PreparedScene, RenderOptions, Unwatched, WalkSettings, render};
 use capwalk_inverse::Limits;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
@@ -105,7 +103,6 @@ fn problem() -> Problem {
         spp_grad: 16,
         method: Method::Walk,
         walk: WalkSettings::default(),
-        allow_missing: AllowMissing::default(),
     }
 }
 

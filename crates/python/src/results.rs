@@ -4,7 +4,7 @@ use capwalk::{
     Check, CheckOptions, Error, Estimate, GradientImage, GradientOptions, Gradients, Rendering,
     Statistics, Verdict,
 };
-use capwalk::{comparison_text, coplanar_text, edge_on_text, missing_text, touching_text};
+use capwalk::{comparison_text, coplanar_text, edge_on_text, touching_text};
 use numpy::PyArray3;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -92,22 +92,15 @@ pub fn of_check<'py>(
 ) -> PyResult<OfCheck<'py>> {
     let comparison = &check.comparison;
     let numbers = PyDict::new(py);
-    // Where something is left out, what is said of the rest.
-    let (is_partial, said) = match &comparison.verdict {
-        Verdict::Partial { rest } => (true, &**rest),
-        whole => (false, whole),
-    };
-    let (name, reason, samples_factor) = match said {
+    let (name, reason, samples_factor) = match &comparison.verdict {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
         Verdict::Inconclusive {
             samples_factor,
             doubt,
         } => ("inconclusive", doubt.as_ref(), Some(samples_factor)),
-        Verdict::Partial { .. } => unreachable!("parts have no parts"),
     };
-    numbers.set_item("verdict", if is_partial { "partial" } else { name })?;
-    numbers.set_item("rest", is_partial.then_some(name))?;
+    numbers.set_item("verdict", name)?;
     numbers.set_item("reason", reason)?;
     numbers.set_item("samples_factor", samples_factor)?;
     numbers.set_item("scale_factor", comparison.scale_factor)?;
@@ -172,10 +165,6 @@ fn of_statistics<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Boun
     numbers.set_item("non_finite", statistics.non_finite)?;
     numbers.set_item("too_many_non_finite", statistics.too_many_non_finite())?;
     numbers.set_item("cone_queries", statistics.cone_queries)?;
-    let missing = statistics.missing.as_ref();
-    let share = missing.map(|missing| (missing.share, missing.standard_error));
-    numbers.set_item("missing", share)?;
-    numbers.set_item("missing_text", missing.map(missing_text))?;
     Ok(numbers)
 }
 

@@ -2,8 +2,8 @@
 
 use capwalk::scene::{Aov, unpack};
 use capwalk::{
-    AllowMissing, CheckOptions, Choice, Device, Error, GradientOptions, MethodChoice, MethodName,
-    MissingName, Prepared, RenderOptions, ViewId, Views, WalkChoice, Watch,
+    CheckOptions, Choice, Device, Error, GradientOptions, MethodChoice, MethodName, Prepared,
+    RenderOptions, ViewId, Views, WalkChoice, Watch,
 };
 use numpy::PyReadonlyArrayDyn;
 use pyo3::prelude::*;
@@ -45,8 +45,6 @@ pub struct Options<'py> {
     /// What a pilot has chosen, instead of the last four, see [`crate::results::of_method`].
     #[pyo3(attribute)]
     chosen: Option<PyBackedBytes>,
-    #[pyo3(attribute)]
-    allow_missing: Vec<String>,
 }
 
 impl<'py> Options<'py> {
@@ -69,10 +67,7 @@ impl<'py> Options<'py> {
     }
 
     pub fn gradient(&self, py: Python<'_>) -> PyResult<GradientOptions> {
-        let sampled = GradientOptions {
-            allow_missing: self.allowed(py)?,
-            ..self.sampling(py)?.into()
-        };
+        let sampled: GradientOptions = self.sampling(py)?.into();
         if let Some(chosen) = &self.chosen {
             let (method, walk) =
                 unpack(chosen).map_err(|error| errors::exception(py, Error::from(error)))?;
@@ -96,25 +91,6 @@ impl<'py> Options<'py> {
         };
         let options = MethodChoice { method, walk }.apply(sampled);
         options.map_err(|error| errors::exception(py, error))
-    }
-
-    /// What may be missing.
-    fn allowed(&self, py: Python<'_>) -> PyResult<AllowMissing> {
-        let named = |name: &String| {
-            MissingName::named(name).ok_or_else(|| {
-                let names: Vec<_> = MissingName::NAMES.iter().map(|(name, _)| *name).collect();
-                let names = names.join(", ");
-                let text =
-                    format!("nothing that may be missing is called \"{name}\"; there is {names}");
-                errors::argument(py, text)
-            })
-        };
-        let names: Vec<MissingName> = self
-            .allow_missing
-            .iter()
-            .map(named)
-            .collect::<PyResult<_>>()?;
-        Ok(MissingName::allow(&names))
     }
 
     fn device(&self, py: Python<'_>) -> PyResult<Device> {

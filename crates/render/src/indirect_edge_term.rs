@@ -169,6 +169,7 @@ impl Tracer<'_> {
         if image.is_some_and(|image| reflections < image.count()) {
             return Rgb::zero();
         }
+        let shown = self.beside_edges();
         let [behind, before] = paths.map(|path| {
             let SidePath {
                 weight, ray, hit, ..
@@ -186,7 +187,7 @@ impl Tracer<'_> {
                 emitted_at(&eval, accel, emitter, hit.as_ref(), ray[0], ray[1])
             });
             let first = depth + 1 + events;
-            weight * (emitted + self.reflected(&eval, ray, hit, first, chain, draw))
+            weight * (emitted + self.reflected(&eval, ray, hit, first, chain, shown, draw))
         });
         behind - before
     }

@@ -44,7 +44,7 @@ use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS, LightSampling, Plan};
 use crate::prepared::PreparedScene;
 use crate::radiance::{RR_MAX, RR_MIN};
 use crate::tiles::{Sample, SamplePlace};
-use crate::tracer::{LeavesOut, Tracer};
+use crate::tracer::Tracer;
 use alike::{Alike, FindAlike};
 use kept::Step;
 use lights::{LaneChoices, LaneLights};
@@ -144,9 +144,7 @@ impl<'a> LaneTracer<'a> {
     /// A tracer that takes the samples of another one; `None` if those are of something else than
     /// light.
     pub fn like(tracer: &Tracer<'a>, prepared: &'a PreparedScene) -> Option<Self> {
-        let is_plain = tracer.plan.aov.is_none()
-            && tracer.leaves_out == LeavesOut::Nothing
-            && tracer.moving.is_none();
+        let is_plain = tracer.plan.aov.is_none() && tracer.moving.is_none();
         is_plain.then(|| Self::new(tracer.plan, prepared, &|_| false))
     }
 

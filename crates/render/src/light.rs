@@ -49,8 +49,7 @@ pub struct Continuation {
 
 /// Samples directions towards emitters from a shading point, by points on emitters and by
 /// the material, combined with the power heuristic (Veach 1997). Calls `shade` with each
-/// sample that reaches an emitter and its number, and `specular` with each perfectly specular
-/// event and what the ray hits after it. Uses `sampling.dimensions()` random numbers from
+/// sample that reaches an emitter and its number. Uses `sampling.dimensions()` random numbers from
 /// `dimension` on. Returns the first direction sampled from the material; where the path does
 /// not go on (`goes_on`) there may be none.
 pub fn sample_lights(
@@ -62,7 +61,6 @@ pub fn sample_lights(
     dimension: u32,
     goes_on: bool,
     mut shade: impl FnMut(u32, LightSample),
-    mut specular: impl FnMut(Specular, &Option<Hit>),
 ) -> Option<Continuation> {
     let counts = LightSampling {
         bsdf_samples: match goes_on || !is_sampled_well(emitters, vertex, sampling) {
@@ -129,9 +127,6 @@ pub fn sample_lights(
         };
         let direction = vertex.frame.to_world(drawn.wo).normalized();
         let hit = accel.first_hit(vertex.position, direction);
-        if let Some(event) = drawn.specular {
-            specular(event, &hit);
-        }
         if i == 0 {
             next = Some(Continuation {
                 direction,

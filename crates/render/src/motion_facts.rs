@@ -6,6 +6,7 @@ use capwalk_boundary::Motion;
 use capwalk_geometry::EdgeSubset;
 use capwalk_scene::Scene;
 
+use crate::magnification::Magnifications;
 use crate::pixel_silhouettes::PixelSilhouettes;
 
 /// What tracers find out about one motion of a prepared scene; kept, it changes no result. Tracers
@@ -14,6 +15,8 @@ use crate::pixel_silhouettes::PixelSilhouettes;
 /// does not know how fast something moves must not know what does not move.
 #[derive(Debug, Default)]
 pub struct MotionFacts {
+    /// True if it may move what is seen in mirrors or through glass.
+    turns_light: bool,
     /// The silhouettes in each pixel, where the camera's rays all start from one point.
     pub(crate) silhouettes: PixelSilhouettes,
     /// The motions of the nodes of both edge samplers.
@@ -22,16 +25,23 @@ pub struct MotionFacts {
     pub(crate) moving_edges: OnceLock<EdgeSubset>,
     /// How much the motion differs within the planes of flat mirrors.
     pub(crate) mirror_spreads: OnceLock<Vec<f64>>,
-    /// For each face, whether the edge of a hard shadow on it moves.
-    pub(crate) moving_shadows: OnceLock<Vec<bool>>,
+    /// By how much chains of specular events magnify.
+    pub(crate) magnifications: OnceLock<Magnifications>,
 }
 
 impl MotionFacts {
-    /// None yet, of a motion of a scene.
-    pub fn of(scene: &Scene) -> Self {
+    /// None yet, of a motion of a scene, which may move what is seen in mirrors or through glass if it
+    /// `turns_light`.
+    pub fn of(scene: &Scene, turns_light: bool) -> Self {
         Self {
+            turns_light,
             silhouettes: PixelSilhouettes::of(scene),
             ..Self::default()
         }
+    }
+
+    /// True if it may move what is seen in mirrors or through glass.
+    pub fn turns_light(&self) -> bool {
+        self.turns_light
     }
 }

@@ -109,10 +109,11 @@ impl Tracer<'_> {
                 let Some(edge) = drawn else {
                     continue;
                 };
+                let shown = self.beside_edges();
                 // Trace both sides with the same random numbers, so that their noise cancels.
                 let [behind, before] = edge
                     .sides
-                    .map(|ray| self.radiance(&Primal(self.accel), ray, draw));
+                    .map(|ray| self.radiance(&Primal(self.accel), ray, shown, draw));
                 let weight = edge.weight / f64::from(count);
                 sum += Rgb::constant((behind - before) * weight) * edge.flow;
             }

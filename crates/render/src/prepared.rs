@@ -1,7 +1,7 @@
 //! A scene made ready: everything that is built once and answers any number of calls.
 
 use std::collections::BTreeSet;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 
 use capwalk_boundary::{Accel, Boundaries, pool, same_edges, touching};
 use capwalk_geometry::{Halt, Halted};
@@ -9,7 +9,6 @@ use capwalk_scene::{Emitter, Scene, Tangent, Texture};
 
 use crate::emitter_sampler::{EmitterSampler, brightness, textures};
 use crate::options::{Unwatched, Watch};
-use crate::uncovered_events::UncoveredEvents;
 
 /// A scene with its trees. It owns what it needs and can be shared between threads; the
 /// scene in it does not change but by [`PreparedScene::update`].
@@ -21,15 +20,7 @@ pub struct PreparedScene {
     boundaries: OnceLock<Boundaries>,
     /// The boundaries of a derivative with respect to what moves nothing: none.
     no_boundaries: OnceLock<Boundaries>,
-    probed: Probed,
 }
-
-/// What probes of a scene found, by a number for what moves in it and the method.
-#[derive(Debug, Default)]
-struct Probed(Mutex<Vec<(u64, UncoveredEvents)>>);
-
-/// Most answers of probes that are kept.
-const MOST_PROBED: usize = 64;
 
 impl PreparedScene {
     /// Builds the ray tree of a scene that has passed [`Scene::check`]. The boundaries
@@ -47,7 +38,6 @@ impl PreparedScene {
             accel,
             boundaries: OnceLock::new(),
             no_boundaries: OnceLock::new(),
-            probed: Probed::default(),
         })
     }
 
@@ -115,29 +105,6 @@ impl PreparedScene {
         }
     }
 
-    /// What a probe of the scene finds, [`SpecularProbe`](crate::SpecularProbe): `probe` is asked once for
-    /// each `motion`, a number for what moves and the kind of method, as long as the scene stays as it
-    /// is.
-    pub fn uncovered_events(
-        &self,
-        motion: u64,
-        probe: impl FnOnce() -> UncoveredEvents,
-    ) -> UncoveredEvents {
-        // What a thread that panicked has kept is whole.
-        let kept = || self.probed.0.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = kept().iter().find(|(of, _)| *of == motion).copied();
-        if let Some((_, events)) = known {
-            return events;
-        }
-        // Probed outside of the lock, like boundaries.
-        let events = probe();
-        let mut kept = kept();
-        if kept.len() < MOST_PROBED {
-            kept.push((motion, events));
-        }
-        events
-    }
-
     /// Goes over to another scene, which must have passed [`Scene::check`] and should
     /// differ in few numbers: moved vertices refit the trees, other colours touch none,
     /// and only what these motions invalidate is built anew. Every later answer is that
@@ -156,7 +123,6 @@ impl PreparedScene {
             let same_edges = same_edges(old, &scene);
             let change = self.accel.update(scene);
             self.no_boundaries = OnceLock::new();
-            self.probed = Probed::default();
             match self.boundaries.get_mut() {
                 Some(boundaries) => {
                     boundaries.update(&self.accel, change, same_edges, same_sensor, halt)
@@ -179,7 +145,6 @@ impl PreparedScene {
             emitters: self.emitters.clone(),
             boundaries: OnceLock::new(),
             no_boundaries: OnceLock::new(),
-            probed: Probed::default(),
         };
         other.update(scene);
         other

@@ -31,11 +31,12 @@ use crate::aov::aov_at;
 use crate::emitter_edge_term::emitter_edge_term;
 use crate::half_vector::{Following, along};
 use crate::light::{Continuation, emitter_towards, sample_lights};
+use crate::plan::LightSampling;
 use crate::sampled_edges::ShadingPoint;
 use crate::scene_eval::SceneEval;
 use crate::shading::{add_lobes, black_vertex_at};
 use crate::surface::{emitted_at, irradiance_of, surface_at};
-use crate::tracer::{LeavesOut, Moving, Tracer};
+use crate::tracer::{Moving, Tracer};
 use crate::vertex::Vertex;
 
 /// Largest probability that a path survives roulette.
@@ -85,11 +86,6 @@ impl SpecularChain {
         Self { count, ..self }
     }
 
-    /// True if the field does not have the silhouettes behind them.
-    pub(crate) fn is_missed(&self) -> bool {
-        self.count.is_none()
-    }
-
     /// Their number with one more, if the field has the silhouettes behind it.
     fn after(&self, event: Event) -> Option<u32> {
         let is_missed = self.is_parallel && event == Event::Reflect;
@@ -99,13 +95,64 @@ impl SpecularChain {
     }
 }
 
+/// Which light a path brings, by the specular events since its direction was chosen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Shown {
+    /// All of it.
+    #[default]
+    All,
+    /// That behind events whose silhouettes are in the fields of viewpoints, or that are gathered.
+    Covered,
+    /// That after so many events.
+    After(u32),
+}
+
+impl Shown {
+    /// True for light that arrives after so many events, of which some are missed.
+    fn has(self, events: u32, is_missed: bool) -> bool {
+        match self {
+            Self::All => true,
+            Self::Covered => !is_missed,
+            Self::After(count) => count == events,
+        }
+    }
+
+    /// True if there may be some after more events than these.
+    fn goes_on(self, events: u32, is_missed: bool) -> bool {
+        match self {
+            Self::All => true,
+            Self::Covered => !is_missed,
+            Self::After(count) => events <= count,
+        }
+    }
+}
+
+/// How a path arrived at a vertex, since its direction was chosen.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Arrival {
+    shown: Shown,
+    events: u32,
+    is_missed: bool,
+}
+
+impl Arrival {
+    /// True if light that is scattered there counts.
+    fn is_shown(&self) -> bool {
+        self.shown.has(self.events, self.is_missed)
+    }
+
+    /// True if light that arrives there by an event counts, or without one.
+    fn is_after(&self, event: Option<Specular>, is_missed: impl FnOnce(Specular) -> bool) -> bool {
+        event.map_or(self.is_shown(), |event| {
+            (self.shown).has(self.events + 1, self.is_missed || is_missed(event))
+        })
+    }
+}
+
 /// Light from emitters that a surface reflects.
 pub struct Emitted<R> {
     /// All of it.
     pub light: Rgb<R>,
-    /// What arrives by a specular event with silhouettes that no field has; not part of it if
-    /// that is left out.
-    pub missed: Rgb,
     /// Where a path could go on.
     pub next: Option<Continuation>,
 }
@@ -116,21 +163,14 @@ impl Tracer<'_> {
         &self,
         eval: &W,
         ray: ViewRay<R>,
+        shown: Shown,
         draw: Draw,
     ) -> Rgb<R> {
         let (accel, plan) = (self.accel, &self.plan);
         let ViewRay {
-            origin,
-            direction,
-            range: [t_min, t_max],
+            origin, direction, ..
         } = ray;
-        // What the camera sees first, between its clip planes.
-        let hit = accel.first_hit_within(&Ray {
-            origin: origin.value(),
-            direction: direction.value(),
-            t_min,
-            t_max,
-        });
+        let hit = self.first_hit(&ray.value());
         // An image of something else than light ends there.
         if let Some(aov) = plan.aov {
             return hit.map_or(Rgb::zero(), |hit| {
@@ -142,12 +182,24 @@ impl Tracer<'_> {
         let mut light = Rgb::zero();
         if plan.reaches(1)
             && !plan.hide_emitters
+            && shown.has(0, false)
             && let Some(emitter) = emitter_towards(accel, hit.as_ref(), direction.value())
         {
             light += emitted_at(eval, accel, emitter, hit.as_ref(), origin, direction);
         }
         let chain = SpecularChain::of_camera(&accel.view);
-        light + self.reflected(eval, [origin, direction], hit, 0, chain, draw)
+        light + self.reflected(eval, [origin, direction], hit, 0, chain, shown, draw)
+    }
+
+    /// What the camera sees first along a ray, between its clip planes.
+    pub(crate) fn first_hit(&self, ray: &ViewRay<f64>) -> Option<Hit> {
+        let [t_min, t_max] = ray.range;
+        self.accel.first_hit_within(&Ray {
+            origin: ray.origin,
+            direction: ray.direction,
+            t_min,
+            t_max,
+        })
     }
 
     /// A sample of the radiance that comes back along a moving ray, given by its origin and its
@@ -160,9 +212,12 @@ impl Tracer<'_> {
         mut hit: Option<Hit>,
         first: u32,
         mut chain: SpecularChain,
+        mut shown: Shown,
         draw: Draw,
     ) -> Rgb<R> {
         let (accel, plan) = (self.accel, &self.plan);
+        // Specular events since the direction was chosen.
+        let mut events = 0;
         // Radiance collected so far.
         let mut light = Rgb::zero();
         // The product of BSDFs, cosines and Jacobians over the density of the path so far.
@@ -180,36 +235,49 @@ impl Tracer<'_> {
                 break;
             }
             chain = chain.at(accel.flat_events(&found));
+            let arrival = Arrival {
+                shown,
+                events,
+                is_missed,
+            };
             // Light that comes from emitters, and a direction in which the path can go on.
             let Emitted {
                 light: emitted,
-                missed,
                 next,
-            } = self.emitted(eval, &vertex, ray, depth, chain, draw);
-            let is_left_out = is_missed && self.leaves_out != LeavesOut::Nothing;
-            if !is_left_out {
-                light += throughput * emitted;
-            }
-            if W::MOVES {
-                let missed = if is_missed { emitted.value() } else { missed };
-                draw.add_missing(throughput.value() * missed);
-            }
+            } = self.emitted(eval, &vertex, ray, depth, chain, arrival, draw);
+            light += throughput * emitted;
             // What moves across directions towards other surfaces, if those stay.
             let stays = W::MOVES && self.gathers.indirect;
-            if stays && plan.reaches(depth + 3) && !is_left_out {
+            let is_shown = arrival.is_shown();
+            if stays && plan.reaches(depth + 3) && is_shown {
                 light += throughput * self.indirect_edge_term(eval, &vertex, depth, draw);
             }
             let Some(next) = next.filter(|_| plan.reaches(depth + 3)) else {
                 break;
             };
+            // A path ends where all that it may bring is behind it.
             let over_density = R::constant(1.0 / next.pdf);
+            let is_smooth = next.specular.is_none();
+            if is_smooth && !is_shown {
+                break;
+            }
+            // Light that arrives from another surface by a chain has a field of its own.
+            if is_smooth && self.walks_chains(eval) {
+                let after = self.chained(eval, &vertex, next.direction, next.hit, depth, draw);
+                light += throughput * (after * over_density);
+                shown = Shown::Covered;
+            } else if is_smooth {
+                shown = Shown::All;
+            }
             ray = match next.specular {
                 None => {
                     // Light from another surface: the direction moves along the field around
                     // this one, and the path is multiplied by `1 + div u` (Algorithm 1).
-                    let events = self.events_behind(depth + 1);
-                    let viewpoint =
-                        Viewpoint::towards_surfaces(vertex.position, vertex.face_normal, events);
+                    let viewpoint = Viewpoint::towards_surfaces(
+                        vertex.position,
+                        vertex.face_normal,
+                        self.events_behind(depth + 1),
+                    );
                     let warped = match stays {
                         true => {
                             let following = self.following(eval, &vertex, &viewpoint);
@@ -222,7 +290,7 @@ impl Tracer<'_> {
                     };
                     let f = vertex.eval(warped.direction);
                     throughput = throughput * (f * (warped.jacobian * over_density));
-                    chain = SpecularChain::default();
+                    (chain, events, is_missed) = (SpecularChain::default(), 0, false);
                     [vertex.position, warped.direction]
                 }
                 Some(event) => {
@@ -232,26 +300,43 @@ impl Tracer<'_> {
                     throughput = throughput * (fraction * over_density);
                     is_missed |= self.misses(chain, event);
                     chain = chain.followed_by(event.event);
+                    events += 1;
                     after
                 }
             };
+            if !shown.goes_on(events, is_missed) {
+                break;
+            }
             // Nothing more can come; a derivative still can.
             if !W::MOVES && throughput == Rgb::zero() {
                 break;
             }
-            // Roulette ends long paths at random, by their throughput without derivative.
-            if depth + 1 >= plan.rr_depth {
-                let least = if W::MOVES { RR_MIN } else { 0.0 };
-                let survival = throughput.value().max_component().clamp(least, RR_MAX);
-                let last = plan.vertex_numbers(depth + 1) - 1;
-                if draw.stream.number(last) >= survival {
-                    break;
-                }
-                throughput = throughput * R::constant(1.0 / survival);
-            }
+            let Some(weight) = self.roulette(eval, throughput.value(), depth, draw) else {
+                break;
+            };
+            throughput = throughput * R::constant(weight);
             hit = next.hit;
         }
         light
+    }
+
+    /// Roulette ends long paths at random after the vertex of number `depth`, by their throughput without derivative;
+    /// what the others are multiplied by.
+    pub(crate) fn roulette<R: Real, W: SceneEval<R>>(
+        &self,
+        _: &W,
+        throughput: Rgb,
+        depth: u32,
+        draw: Draw,
+    ) -> Option<f64> {
+        let next = depth + 1;
+        if next < self.plan.rr_depth {
+            return Some(1.0);
+        }
+        let least = if W::MOVES { RR_MIN } else { 0.0 };
+        let survival = throughput.max_component().clamp(least, RR_MAX);
+        let last = self.plan.vertex_numbers(next) - 1;
+        (draw.stream.number(last) < survival).then(|| 1.0 / survival)
     }
 
     /// What a point that stays receives from an emitter without extent; `None` from another one.
@@ -285,26 +370,25 @@ impl Tracer<'_> {
 
     /// True if no field has the silhouettes that are seen by a specular event.
     pub(crate) fn misses(&self, chain: SpecularChain, event: Specular) -> bool {
-        chain.after(event.event).is_none() || self.misses_mirrors()
+        chain.after(event.event).is_none()
     }
 
-    /// True if silhouettes or edges of hard shadows that a ray shows after a specular event may
-    /// move against it.
-    pub(crate) fn moves_behind<R: Real, W: SceneEval<R>>(
-        &self,
-        eval: &W,
-        ray: &[Vec3<R>; 2],
-        hit: &Option<Hit>,
-    ) -> bool {
-        let ray_moves = ray.iter().any(|v| !v.is_constant());
-        let surface_moves = || {
-            let corners = hit.map(|hit| self.accel.mesh.faces[hit.face as usize]);
-            let mut corners = corners.into_iter().flatten();
-            corners.any(|i| !eval.vertex(i).is_constant())
-        };
-        // A shadow moves with its light and with what throws it, also on a face that does not move.
-        let shadow_moves = || hit.is_some_and(|hit| self.shadow_moves(eval, hit.face));
-        W::MOVES && (ray_moves || surface_moves() || shadow_moves())
+    /// How light is sampled at a vertex: with chains, by one direction from the material, whose events are those
+    /// that the path goes on by.
+    fn sampling(&self) -> LightSampling {
+        let sampling = self.plan.sampling;
+        match self.has_chains {
+            true => LightSampling {
+                bsdf_samples: 1,
+                ..sampling
+            },
+            false => sampling,
+        }
+    }
+
+    /// True if light that arrives by chains of specular events is walked along them.
+    pub(crate) fn walks_chains<R: Real, W: SceneEval<R>>(&self, _: &W) -> bool {
+        W::MOVES && self.has_chains
     }
 
     /// Light that arrives from emitters at a moving surface point, to which the ray `incoming`
@@ -316,21 +400,24 @@ impl Tracer<'_> {
         incoming: [Vec3<R>; 2],
         depth: u32,
         chain: SpecularChain,
+        arrival: Arrival,
         draw: Draw,
     ) -> Emitted<R> {
         let mut light = Rgb::zero();
-        let mut missed = Rgb::zero();
         let viewpoint = Viewpoint::towards_emitters(vertex.position, vertex.face_normal);
         let primal = eval.primal(vertex);
         let next = sample_lights(
             self.accel,
             self.emitters,
             &primal,
-            self.plan.sampling,
+            self.sampling(),
             draw.stream,
             self.plan.vertex_numbers(depth),
             self.plan.reaches(depth + 3),
             |i, sample| {
+                if !arrival.is_after(sample.specular, |event| self.misses(chain, event)) {
+                    return;
+                }
                 let weight = R::constant(sample.weight);
                 let radiance = |[origin, direction]: [Vec3<R>; 2]| {
                     let hit = sample.hit.as_ref();
@@ -339,14 +426,7 @@ impl Tracer<'_> {
                 // A specular direction: what emits there, seen by the event.
                 if let Some(event) = sample.specular {
                     let (ray, fraction) = vertex.specular(event, incoming);
-                    let seen = fraction * radiance(ray) * weight;
-                    let is_missed = self.misses(chain, event);
-                    if is_missed {
-                        missed += seen.value();
-                    }
-                    if !is_missed || self.leaves_out == LeavesOut::Nothing {
-                        light += seen;
-                    }
+                    light += fraction * radiance(ray) * weight;
                     return;
                 }
                 // An emitter without extent is seen in one direction, wherever that moves.
@@ -374,16 +454,9 @@ impl Tracer<'_> {
                 let ray = [vertex.position, warped.direction];
                 light += f * radiance(ray) * (warped.jacobian * weight);
             },
-            |event, hit| {
-                if W::MOVES && self.misses(chain, event) {
-                    let (ray, fraction) = vertex.specular(event, incoming);
-                    // Events are drawn that are black, because their colours may have derivatives.
-                    let is_black = fraction.value() == Rgb::zero();
-                    draw.count_uncovered(!is_black && self.moves_behind(eval, &ray, hit));
-                }
-            },
         );
         if W::MOVES
+            && arrival.is_shown()
             && self.plan.sampling.dimensions() > 0
             && primal.bsdf.has_smooth()
             && let Some(Moving { field, .. }) = &self.moving
@@ -420,11 +493,7 @@ impl Tracer<'_> {
                 light += self.environment_edge_term(&at, environment, draw, depth);
             }
         }
-        Emitted {
-            light,
-            missed,
-            next,
-        }
+        Emitted { light, next }
     }
 
     /// What directions towards an emitter follow: only light that is the same

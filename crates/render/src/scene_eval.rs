@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 
-use capwalk_boundary::{Accel, Motion, Numbers, Viewpoint};
+use capwalk_boundary::{Accel, Motion, Numbers, Viewpoint, Warp};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{Scene, SurfacePoint, TextureId};
@@ -62,6 +62,8 @@ pub trait SceneEval<R: Real> {
         walk: &WalkSettings,
         numbers: Numbers,
     ) -> Warped<R>;
+    /// The direction `q`, moved by a linear map that is already known.
+    fn moved(&self, viewpoint: &Viewpoint<R>, q: Vec3, warp: Warp) -> Warped<R>;
     /// The warped direction of [`Self::warp`] without the divergence, for flows through curves.
     fn warp_value(
         &self,
@@ -187,6 +189,10 @@ impl SceneEval<f64> for Primal<'_> {
     }
     #[inline]
     fn warp(&self, _: &Viewpoint<f64>, q: Vec3, _: &WalkSettings, _: Numbers) -> Warped<f64> {
+        Warped::still(q)
+    }
+    #[inline]
+    fn moved(&self, _: &Viewpoint<f64>, q: Vec3, _: Warp) -> Warped<f64> {
         Warped::still(q)
     }
     #[inline]

@@ -25,8 +25,6 @@ pub struct Sample<const C: usize> {
     pub numbers: [f64; C],
     /// Closest-silhouette queries asked.
     pub cone_queries: u64,
-    /// Specular events behind which silhouettes can move.
-    pub uncovered: u64,
     /// Its effort, in about twenty nanoseconds.
     pub effort: u64,
 }
@@ -36,7 +34,6 @@ impl<const C: usize> Default for Sample<C> {
         Self {
             numbers: [0.0; C],
             cone_queries: 0,
-            uncovered: 0,
             effort: 0,
         }
     }
@@ -85,7 +82,6 @@ struct Tally {
     samples: u32,
     non_finite: u32,
     cone_queries: u64,
-    uncovered: u64,
     /// Effort of its samples.
     effort: u64,
 }
@@ -149,8 +145,8 @@ impl<const C: usize> Run<C> {
             self.from = numbers;
         }
         self.count += 1;
-        for i in 0..C {
-            let difference = numbers[i] - self.from[i];
+        for (i, number) in numbers.into_iter().enumerate() {
+            let difference = number - self.from[i];
             self.sums[i] += difference;
             self.squares[i] += difference * difference;
         }
@@ -187,7 +183,6 @@ impl Accumulate for PixelSums {
             own.samples += other.samples;
             own.non_finite += other.non_finite;
             own.cone_queries += other.cone_queries;
-            own.uncovered += other.uncovered;
             own.effort += other.effort;
         }
     }
@@ -319,7 +314,6 @@ pub fn average<const C: usize>(
                     let mut run = Run::default();
                     for (&(_, number), sample) in of_pixel.iter().zip(samples) {
                         tally.cone_queries += sample.cone_queries;
-                        tally.uncovered += sample.uncovered;
                         tally.effort += sample.effort;
                         if is_finite(&sample.numbers) {
                             let sums = sum.iter_mut().zip(sample.numbers);
@@ -425,9 +419,7 @@ impl Averages {
             samples: sum(|pixel| u64::from(pixel.samples)),
             non_finite: sum(|pixel| u64::from(pixel.non_finite)),
             cone_queries: sum(|pixel| pixel.cone_queries),
-            uncovered: sum(|pixel| pixel.uncovered),
             effort: sum(|pixel| pixel.effort),
-            missing: None,
             device: UsedDevice::default(),
         };
         let numbers: usize = bands.iter().map(|band| band.moments.len()).sum();

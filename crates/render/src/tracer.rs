@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, Numbers};
+use capwalk_boundary::{
+    Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, MAX_EVENTS, Motion, Numbers, bends_images,
+};
 use capwalk_geometry::{EdgeSelection, EdgeSubset, Halt, Halted, uncounted};
 use capwalk_math::Real;
 use capwalk_scene::EmitterId;
@@ -66,19 +68,6 @@ pub struct SurfaceWalks {
     pub events: u32,
 }
 
-/// Light that a tracer leaves out: what arrives by specular events behind which silhouettes are
-/// in no field. The rest is an image of its own, whose derivative is complete.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum LeavesOut {
-    /// No light.
-    #[default]
-    Nothing,
-    /// By curved mirrors, refracting glass, or after many reflections.
-    Curved,
-    /// By any specular event: the field has no silhouettes behind it.
-    Specular,
-}
-
 /// Samples pixels of a scene.
 pub struct Tracer<'a> {
     /// The scene.
@@ -93,8 +82,9 @@ pub struct Tracer<'a> {
     pub gathers: Gathers,
     /// How directions move; not needed for the primal image.
     pub moving: Option<Moving<'a>>,
-    /// Which light is left out, also of the image.
-    pub leaves_out: LeavesOut,
+    /// True if silhouettes that are seen by way of curved mirrors or glass are in fields along the chains of
+    /// specular events there.
+    pub has_chains: bool,
     /// What is known of the motion.
     pub facts: Arc<MotionFacts>,
 }
@@ -110,7 +100,7 @@ impl<'a> Tracer<'a> {
             plan: Plan::new(scene),
             gathers: Gathers::NONE,
             moving: None,
-            leaves_out: LeavesOut::Nothing,
+            has_chains: false,
             facts: Arc::default(),
         }
     }
@@ -129,6 +119,10 @@ impl<'a> Tracer<'a> {
         };
         let walks = Walks { camera, surface };
         let tracer = Self {
+            has_chains: field.method.traits().is_spherical
+                && facts.turns_light()
+                && Plan::new(prepared.scene()).sampling.bsdf_samples > 0
+                && may_miss(prepared.accel()),
             moving: Some(Moving { field, walks }),
             facts: Arc::clone(facts),
             ..Self::primal(prepared)
@@ -142,11 +136,6 @@ impl<'a> Tracer<'a> {
     /// This tracer with another plan, which reaches no farther; where edges are gathered stays.
     pub fn with_plan(self, plan: Plan) -> Self {
         Self { plan, ..self }
-    }
-
-    /// This tracer without some of the light.
-    pub fn leaving_out(self, leaves_out: LeavesOut) -> Self {
-        Self { leaves_out, ..self }
     }
 
     /// The most specular events behind which edges are boundaries.
@@ -274,20 +263,6 @@ impl<'a> Tracer<'a> {
         })
     }
 
-    /// True if the edge of a hard shadow on a face moves.
-    pub(crate) fn shadow_moves<R: Real, W: SceneEval<R>>(&self, eval: &W, face: u32) -> bool {
-        let Some(Moving { field, .. }) = &self.moving else {
-            return false;
-        };
-        let boundaries = field.boundaries;
-        if boundaries.shadowed_faces.is_empty() {
-            return false;
-        }
-        let moves = |point| !eval.motion_of_point(point).is_still();
-        let faces = || boundaries.faces_with_moving_shadows(self.accel, moves);
-        self.facts.moving_shadows.get_or_init(faces)[face as usize]
-    }
-
     fn has_environment(&self) -> bool {
         self.accel.scene.environment().is_some()
     }
@@ -295,16 +270,6 @@ impl<'a> Tracer<'a> {
     fn has_area_emitters(&self) -> bool {
         let mut emitters = self.accel.scene.emitters.iter();
         emitters.any(|emitter| emitter.shape().is_some())
-    }
-
-    /// True if the field has no reflected boundaries.
-    pub(crate) fn misses_mirrors(&self) -> bool {
-        let is_spherical = |moving: &Moving| moving.field.method.traits().is_spherical;
-        match self.leaves_out {
-            LeavesOut::Nothing => !self.moving.as_ref().is_none_or(is_spherical),
-            LeavesOut::Curved => false,
-            LeavesOut::Specular => true,
-        }
     }
 
     /// Two numbers for a place on the border of a pixel; behind them those of
@@ -350,6 +315,14 @@ impl<'a> Tracer<'a> {
         let moving = self.moving.as_ref();
         &moving.expect("only scenes that move are walked in").walks
     }
+}
+
+/// True if a path may take part in specular events whose silhouettes no field of a viewpoint has.
+fn may_miss(accel: &Accel) -> bool {
+    let scene = &accel.scene;
+    let is_long = || Plan::new(scene).events_behind(0) >= MAX_EVENTS;
+    let has_flat = accel.has_flat_events() && (accel.view.is_parallel() || is_long());
+    has_flat || scene.shapes.iter().any(|shape| bends_images(scene, shape))
 }
 
 /// Angular cutoff of the camera's field, in pixels: farther than this from every boundary,

@@ -163,9 +163,6 @@ def integrator_class() -> Any:
                 self._description |= depths
             self._threads: dict[str, Any] = {"threads": props.get("threads", 0) or None}
             self._how: dict[str, Any] = {"method": props.get("method", "auto"), **self._threads}
-            # Names, separated by commas.
-            missing = str(props.get("allow_missing", ""))
-            self._how["allow_missing"] = [name.strip() for name in missing.split(",") if name]
             self._scenes = Scenes()
 
         def render(

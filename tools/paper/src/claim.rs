@@ -217,7 +217,6 @@ pub fn of_check(comparison: &check::Comparison) -> Verdict {
     match &comparison.verdict {
         check::Verdict::Right => Verdict::Holds,
         check::Verdict::Wrong { reason } => Verdict::DoesNotHold(reason.clone()),
-        check::Verdict::Partial { .. } => Verdict::Inconclusive("something is left out".into()),
         check::Verdict::Inconclusive {
             samples_factor,
             doubt,

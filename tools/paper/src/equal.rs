@@ -330,7 +330,6 @@ mod tests {
         };
         Run {
             image: GradientImage {
-                missing: None,
                 chosen: None,
                 value: gradient.clone(),
                 gradient,

@@ -2,7 +2,7 @@
 
 mod flower;
 
-use capwalk_diff::{AllowMissing, Method, PreparedScene, WalkSettings, render};
+use capwalk_diff::{Method, PreparedScene, WalkSettings, render};
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
@@ -362,7 +362,6 @@ fn find(
         spp_grad: effort.spp,
         method,
         walk: WalkSettings::default(),
-        allow_missing: AllowMissing::default(),
     };
     let mut state = State::new(&problem);
     let mut views = PreparedViews::new();

@@ -49,7 +49,6 @@ fn waves(seed: u64, factor: f64, spikes: f64, noise: f64) -> GradientImage {
             mean,
             standard_error: flat(noise),
         },
-        missing: None,
         chosen: None,
         statistics: Statistics {
             samples_per_pixel: vec![1000; SIDE * SIDE],
@@ -57,9 +56,7 @@ fn waves(seed: u64, factor: f64, spikes: f64, noise: f64) -> GradientImage {
             samples: 1000 * (SIDE * SIDE) as u64,
             non_finite: 0,
             cone_queries: 0,
-            uncovered: 0,
             effort: 0,
-            missing: None,
             device: UsedDevice::default(),
         },
     }
@@ -171,7 +168,7 @@ fn the_second_reference_decides() {
         both().with_confirmation(gradient, (made, image.clone()))
     };
     let check = confirmed(waves(8, 1.0, 0.0, 0.1), &waves(9, 1.3, 0.0, 0.1));
-    assert!(matches!(check.rest(), Verdict::Wrong { .. }));
+    assert!(matches!(&check.comparison.verdict, Verdict::Wrong { .. }));
     assert_eq!((check.references, check.made.step), (3, 0.0025));
     assert_eq!(check.reference_samples, 3 * right.statistics.samples);
     for (image, words) in [
@@ -220,14 +217,14 @@ fn references_that_contradict_each_other_call_nothing_wrong() {
     let [right, first, second] =
         [(2, 1.0), (3, 1.3), (5, 1.6)].map(|(seed, factor)| waves(seed, factor, 0.0, 0.1));
     let apart = || checked_twice(MADE, &first, &second);
-    assert!(matches!(apart().rest(), Verdict::Wrong { .. }));
+    assert!(matches!(&apart().comparison.verdict, Verdict::Wrong { .. }));
     let third = apart().next_reference().expect("they do not agree");
     assert_eq!((third.step, third.spp), (MADE.step / 16.0, 4000));
     let with = |check: Check, next: &GradientImage| {
         let made = check.next_reference().expect("it is open");
         check.with_next_reference((made, next.clone()))
     };
-    let doubt_of = |check: &Check| match check.rest() {
+    let doubt_of = |check: &Check| match &check.comparison.verdict {
         Verdict::Inconclusive {
             doubt: Some(doubt), ..
         } => doubt.clone(),
@@ -235,20 +232,23 @@ fn references_that_contradict_each_other_call_nothing_wrong() {
     };
     // The third one decides, if it contradicts the second.
     let decided = with(apart(), &right);
-    assert_eq!(*decided.rest(), Verdict::Right);
+    assert_eq!(decided.comparison.verdict, Verdict::Right);
     assert_eq!((decided.references, decided.made.step), (3, third.step));
     let of_all = 3 * right.statistics.samples;
     assert_eq!(decided.reference_samples, of_all);
     let confirmed = with(apart(), &waves(6, 1.6, 0.0, 0.1));
     assert!(confirmed.next_reference().is_none());
-    assert!(matches!(confirmed.decided().rest(), Verdict::Wrong { .. }));
+    assert!(matches!(
+        confirmed.decided().comparison.verdict,
+        Verdict::Wrong { .. }
+    ));
     // Noise alone does not acquit: the same few pixels are off in the second and the third.
     let spikes = |seed, spikes, noise| waves(seed, 1.0, spikes, noise);
     let few = checked_twice(MADE, &spikes(3, 3.0, 0.1), &spikes(5, 1.3, 0.1));
-    assert!(matches!(few.rest(), Verdict::Wrong { .. }));
+    assert!(matches!(&few.comparison.verdict, Verdict::Wrong { .. }));
     let hidden = with(few, &spikes(6, 0.9, 0.2));
     let alone = checked(MADE, &spikes(6, 0.9, 0.2));
-    assert_eq!(*alone.rest(), Verdict::Right);
+    assert_eq!(alone.comparison.verdict, Verdict::Right);
     assert!(doubt_of(&hidden).contains("0.00250"));
     assert!(hidden.next_reference().is_none());
     // Nor does it accuse: what a noisy one leaves is the doubt of the one before.
@@ -265,7 +265,7 @@ fn references_that_contradict_each_other_call_nothing_wrong() {
     // were taken are not taken again.
     let few = || checked_twice(MADE, &spikes(3, 3.0, 0.1), &spikes(5, 1.3, 0.1));
     let shared = with(few(), &spikes(6, 0.8, 0.1));
-    assert!(matches!(shared.rest(), Verdict::Wrong { .. }) && !shared.is_open);
+    assert!(matches!(&shared.comparison.verdict, Verdict::Wrong { .. }) && !shared.is_open);
     assert_eq!((shared.references, shared.made.step), (3, MADE.step / 4.0));
     let doubtful = checked_twice(MADE, &waves(3, 4.0, 0.0, 0.1), &waves(4, 1.0, 0.0, 1.0));
     assert!(doubt_of(&doubtful).contains("0.0100") && doubtful.next_reference().is_none());

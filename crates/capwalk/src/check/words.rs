@@ -1,7 +1,7 @@
 //! What a check says, in words.
 
+use capwalk_diff::GradientImage;
 use capwalk_diff::check::{Comparison, Verdict};
-use capwalk_diff::{GradientImage, Missing};
 
 use super::Check;
 use crate::edge_on::EdgeOnFace;
@@ -22,28 +22,8 @@ impl Check {
             let statistics = &image.statistics;
             statistics.samples as f64 / statistics.samples_per_pixel.len() as f64
         };
-        let taken = [taken(&self.gradient), taken(&self.reference)];
-        let words = |verdict: &Verdict| self.words(verdict, taken, &option);
-        match (&self.comparison.verdict, &self.gradient.statistics.missing) {
-            (Verdict::Partial { rest }, Some(missing)) => {
-                let (missing, rest) = (missing_text(missing), words(rest));
-                format!(
-                    "partial: {missing}.\nThe derivative of the light that arrives otherwise is {rest}"
-                )
-            }
-            (verdict, _) => words(verdict),
-        }
-    }
-
-    /// A verdict in words, of so many samples per pixel of gradient and reference.
-    fn words(
-        &self,
-        verdict: &Verdict,
-        [spp, reference_spp]: [f64; 2],
-        option: impl Fn(&str, Option<u64>) -> String,
-    ) -> String {
-        match verdict {
-            Verdict::Partial { .. } => "partial: something is left out".into(),
+        let [spp, reference_spp] = [taken(&self.gradient), taken(&self.reference)];
+        match &self.comparison.verdict {
             Verdict::Right if self.comparison.scale_factor.is_nan() => {
                 "right: both are zero everywhere: nothing in the image changes".into()
             }
@@ -82,17 +62,6 @@ impl Check {
             }
         }
     }
-}
-
-/// What is left out of a gradient, and how much of the image arrives by paths with such events.
-pub fn missing_text(missing: &Missing) -> String {
-    let [share, error] = [missing.share, missing.standard_error].map(|x| 100.0 * x);
-    format!(
-        "the motion of silhouettes and hard shadows that are seen in curved mirrors, through \
-         refracting glass, or after many reflections is left out; {} % of the radiance arrives by paths with \
-         such events, whether something moves there or not",
-        plus_minus(share, error)
-    )
 }
 
 /// The first of these things by their names, and how many more of that kind there are.

@@ -30,11 +30,7 @@ pub fn fingerprint(
     }
     note("[loss]".into(), format!("{:?}", problem.loss));
     // As it was asked for: what is chosen for it follows from the rest.
-    let allowed = problem.allow_missing;
-    note(
-        "[method]".into(),
-        format!("{method:?}, {walk:?}, {allowed:?}"),
-    );
+    note("[method]".into(), format!("{method:?}, {walk:?}"));
     let names: Vec<&str> = specs.iter().map(|spec| spec.name.as_str()).collect();
     note("names of parameters".into(), shown(names.join(", ")));
     for spec in specs {

@@ -68,11 +68,7 @@ impl Job {
             views.push(view);
             pending.extend(target);
         }
-        let MethodKeys {
-            method,
-            walk,
-            allow_missing,
-        } = keys.method;
+        let MethodKeys { method, walk } = keys.method;
         let problem = Problem {
             variables,
             views,
@@ -87,7 +83,6 @@ impl Job {
             spp_grad: keys.spp_grad.unwrap_or(spp),
             method,
             walk,
-            allow_missing,
             scene,
         };
         self.check_start(&problem)?;

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use capwalk_diff::{Chosen, Missing, Refusal, Watch};
+use capwalk_diff::{Chosen, Refusal, Watch};
 use capwalk_inverse::record::Row;
 use capwalk_inverse::{Iteration, PreparedViews, Problem, State, Stop};
 use capwalk_scene_io::{LoadError, Warning};
@@ -57,7 +57,6 @@ pub struct Run<'j> {
     views: PreparedViews,
     folder: Folder,
     last: Option<Row>,
-    missing: Option<Missing>,
 }
 
 impl<'j> Run<'j> {
@@ -88,7 +87,6 @@ impl<'j> Run<'j> {
             views: PreparedViews::new(),
             folder,
             last: None,
-            missing: None,
         })
     }
 
@@ -116,11 +114,6 @@ impl<'j> Run<'j> {
     /// The last iteration that was written down by this run; `None` before the first.
     pub fn last(&self) -> Option<&Row> {
         self.last.as_ref()
-    }
-
-    /// What the gradient of the last step of this run left out, if the job allows that.
-    pub fn missing(&self) -> Option<&Missing> {
-        self.missing.as_ref()
     }
 
     /// Iterates until something stops it, and returns what. Every iteration is kept in the
@@ -154,12 +147,6 @@ impl<'j> Run<'j> {
             }
             // Go on from the next state, unless the caller stops the run.
             let flow = seen(&iteration);
-            // The worst of all steps.
-            let missing = iteration.row.step.as_ref().and_then(|step| step.missing);
-            let share = |missing: Option<Missing>| missing.map_or(-1.0, |missing| missing.share);
-            if share(missing) > share(self.missing) {
-                self.missing = missing;
-            }
             self.last = Some(iteration.row);
             match iteration.next {
                 Ok(next) => self.state = next,

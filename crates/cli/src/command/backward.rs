@@ -4,13 +4,13 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use anyhow::{Result, anyhow, bail, ensure};
+use anyhow::{Result, bail, ensure};
 use capwalk::params::shape_text;
 use capwalk::scene_io::arrays::{self, Array, Arrays, LONGEST_NAME, METADATA};
 use capwalk::text::{cut, listed};
 use capwalk::{
     Choice, Distance, Error, FilesRead, GradientOptions, Gradients, Image, ImageLoss, Loss,
-    ParameterGradient, Prepared, Refusal, RenderOptions, Scene, read_layer,
+    ParameterGradient, Prepared, RenderOptions, Scene, read_layer,
 };
 use serde_json::{Value, json};
 
@@ -61,30 +61,9 @@ pub fn run(args: &Backward) -> Result<Outcome> {
         .map_or(&given, |loss| &loss.image.measured.adjoint);
     let rest = progress::left_of(args.sampling.time_limit);
     let progress = Progress::new("gradient", rest);
-    let differentiate = |names: &[String]| prepared.backward(adjoint, names, &options, &progress);
-    let mut result = differentiate(&names);
-    // Nobody asked for what is refused because of other arrays that move.
-    let mut left_out = None;
-    if args.param.is_empty()
-        && let Err(Error::Refused(refusal @ Refusal::SpecularMotion { .. })) = &result
-    {
-        let (moving, stationary) = by_motion(&prepared, &names);
-        if !stationary.is_empty() {
-            left_out = Some(left_out_text(&moving, refusal));
-            result = differentiate(&stationary);
-        }
-    }
+    let result = prepared.backward(adjoint, &names, &options, &progress);
     let elapsed = progress.finish().as_secs_f64();
-    if let Some(text) = left_out {
-        console::remark(&text);
-    }
-    let gradients = result.map_err(|error| match error {
-        Error::Refused(refusal @ Refusal::SpecularMotion { .. }) => anyhow!(
-            "{refusal}\n  help: --allow-missing specular leaves it out and says so; arrays of \
-             colours and texels (-p NAME) need neither"
-        ),
-        error => error.into(),
-    })?;
+    let gradients = result?;
     let (chosen, options) = (&gradients.chosen, gradients.chosen.options);
     let statistics = &gradients.statistics;
     console::remark(&report::remark_on_device(statistics));
@@ -146,28 +125,6 @@ fn all_names(prepared: &Prepared) -> Result<Vec<String>> {
         }
     }
     Ok(names.allowed)
-}
-
-/// The arrays that move edges, and those that do not.
-fn by_motion(prepared: &Prepared, names: &[String]) -> (Vec<String>, Vec<String>) {
-    let arrays = prepared.registry().arrays();
-    let moves = |name: &&String| {
-        let mut arrays = arrays.iter();
-        arrays.any(|array| array.name == **name && array.moves_discontinuities)
-    };
-    let (moving, stationary): (Vec<&String>, Vec<&String>) = names.iter().partition(moves);
-    let cloned = |names: Vec<&String>| names.into_iter().cloned().collect();
-    (cloned(moving), cloned(stationary))
-}
-
-/// What is to be said of arrays that are left out because of what moves in them.
-fn left_out_text(names: &[String], refusal: &Refusal) -> String {
-    let count = names.len();
-    format!(
-        "warning: {} are left out ({count} arrays): {refusal}\n  help: --allow-missing specular \
-         computes them, too, without these silhouettes, and says so\n",
-        listed(names)
-    )
 }
 
 /// The array of standard errors of an array.
@@ -360,9 +317,6 @@ fn contents(
         note("image_seed", loss.image.seed.to_string());
     }
     let statistics = &gradients.statistics;
-    for (key, value) in output::missing_notes(statistics) {
-        note(&key, value);
-    }
     let complete = statistics.complete && loss.is_none_or(|loss| loss.image.statistics.complete);
     note("samples", statistics.samples.to_string());
     note("complete", complete.to_string());

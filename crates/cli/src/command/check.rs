@@ -134,33 +134,22 @@ pub fn outcome(comparison: &Comparison) -> Outcome {
     match &comparison.verdict {
         Verdict::Right => Outcome::Done,
         Verdict::Wrong { .. } => Outcome::Wrong,
-        Verdict::Partial { rest } => match **rest {
-            Verdict::Wrong { .. } => Outcome::Wrong,
-            _ => Outcome::Partial,
-        },
         Verdict::Inconclusive { .. } => Outcome::Inconclusive,
     }
 }
 
 /// All numbers of a comparison.
 pub fn comparison_json(c: &Comparison) -> Value {
-    // Where something is left out, what is said of the rest.
-    let (is_partial, said) = match &c.verdict {
-        Verdict::Partial { rest } => (true, &**rest),
-        whole => (false, whole),
-    };
-    let (name, reason, samples_factor) = match said {
+    let (name, reason, samples_factor) = match &c.verdict {
         Verdict::Right => ("right", None, None),
         Verdict::Wrong { reason } => ("wrong", Some(reason), None),
         Verdict::Inconclusive {
             samples_factor,
             doubt,
         } => ("inconclusive", doubt.as_ref(), Some(samples_factor)),
-        Verdict::Partial { .. } => unreachable!("parts have no parts"),
     };
     json!({
-        "verdict": if is_partial { "partial" } else { name },
-        "verdict_of_rest": is_partial.then_some(name),
+        "verdict": name,
         "reason": reason,
         "samples_factor": samples_factor,
         "relative_l1": c.relative_l1,

@@ -218,7 +218,6 @@ fn sentence(comparison: &Comparison) -> String {
     match &comparison.verdict {
         Verdict::Right => "equal within their errors".into(),
         Verdict::Wrong { reason } => format!("different: {reason}"),
-        Verdict::Partial { .. } => "compared in part".into(),
         Verdict::Inconclusive {
             samples_factor,
             doubt,

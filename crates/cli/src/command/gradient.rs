@@ -63,13 +63,7 @@ pub fn run(
         output::note(&mut layered, "step", step);
     }
     output::note_device(&mut layered, statistics);
-    // An image of a part says so.
-    let title = output::gradient_title(statistics);
-    let panels = match &statistics.missing {
-        None => Vec::new(),
-        Some(_) => vec![output::gradient_panel(&title, &gradient.mean)],
-    };
-    let written = files.write(&layered, &panels)?;
+    let written = files.write(&layered, &[])?;
     match chosen {
         Some(chosen) => {
             method::log(chosen);
@@ -165,8 +159,5 @@ pub fn layered(
     output::push_statistics(&mut layered, &[&result.statistics]);
     output::push_estimate(&mut layered, "value", "value_stderr", &result.value);
     output::push_estimate(&mut layered, "gradient", "stderr", &result.gradient);
-    if let Some(missing) = &result.missing {
-        output::push_estimate(&mut layered, "missing", "missing_stderr", missing);
-    }
     layered
 }

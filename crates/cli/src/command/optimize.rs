@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use anyhow::{Result, ensure};
 use capwalk::optimize::{Job, Run, Stop};
-use capwalk::{Error, GradientOptions, missing_text};
+use capwalk::{Error, GradientOptions};
 use serde_json::json;
 
 use crate::args::Optimize;
@@ -117,13 +117,6 @@ fn report(args: &Optimize, run: &Run, stop: &Stop, is_late: bool, files: &[Strin
     };
     let (iterations, last) = (run.state().iteration, run.last());
     let unknowns = run.problem().variables.count();
-    let missing = run.missing();
-    if let Some(missing) = missing {
-        console::remark(&format!(
-            "warning: the gradients are incomplete: {}\n",
-            missing_text(missing)
-        ));
-    }
     if args.json {
         return console::print_json(&json!({
             "job": args.job.display().to_string(),
@@ -133,7 +126,6 @@ fn report(args: &Optimize, run: &Run, stop: &Stop, is_late: bool, files: &[Strin
             "standard_error": last.map(|row| row.loss_error),
             "noise": last.and_then(|row| row.loss_noise),
             "unknowns": unknowns,
-            "missing": missing.map(report::missing_json),
             "files": files,
         }));
     }

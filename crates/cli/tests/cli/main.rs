@@ -13,7 +13,6 @@ mod long_input;
 #[cfg(target_os = "linux")]
 mod memory;
 mod methods;
-mod missing;
 mod one_sided;
 mod optimize;
 mod overwriting;

@@ -30,6 +30,7 @@ macro_rules! phenomena {
 phenomena! {
     albedo
     brushed_metal_without_texture_coordinates
+    camera_moves_before_a_mirror_ball
     camera_moves_past_hard_shadows
     camera_moves_with_shadows
     camera_moves_without_shadows
@@ -53,6 +54,7 @@ phenomena! {
     emitters_that_touch
     environment_light_moving_occluder
     environment_texel
+    glass_ball_moves
     glossy_floor_reflects_a_moving_ball
     hard_shadow
     hard_shadow_in_a_mirror
@@ -72,10 +74,17 @@ phenomena! {
     mesh_with_seams
     normal_map_texel
     object_moves_before_orthographic_sensor
+    object_moves_between_two_mirrors
+    object_moves_in_a_coarse_mirror
+    object_moves_in_a_concave_mirror
     object_moves_in_a_curved_mirror
+    object_moves_in_a_mirror_ball
     object_moves_in_a_planar_mirror
+    object_moves_in_two_mirror_balls
+    object_moves_inside_a_glass_ball
     occluder_and_receiver_move_together
     open_mesh_moves
+    orthographic_sensor_before_a_mirror_ball
     orthographic_sensor_turns
     point_light_moves
     principled_ball_moves
@@ -111,8 +120,10 @@ phenomena! {
     texture_texel
     textured_emitter_moves
     textured_plane_moves
+    thin_lens_before_a_mirror_ball
     two_occluders_cross
     vertex_of_a_closed_mesh
+    vertex_of_a_glass_ball
     vertex_of_an_open_mesh
     wall_lit_past_a_hard_shadow
     weight_of_a_blend

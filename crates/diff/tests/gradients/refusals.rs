@@ -1,151 +1,20 @@
-//! What moves in curved mirrors and behind glass that refracts is found and
-//! refused, however short the paths are; in flat mirrors it is not. So is what
-//! has no derivative.
-
-use std::borrow::Cow;
+//! What has no derivative is found and refused.
 
 use crate::common::agree::tangent;
 use crate::common::materials::*;
 use crate::common::refused::{checkered_floor, mirror_floor, refusals_with};
 use crate::common::stages::*;
 use crate::common::*;
-use capwalk_diff::{
-    AllowMissing, GradientOptions, GradientWork, Method, Part, PreparedScene, RenderOptions,
-    Unwatched, gradient,
-};
+use capwalk_diff::{GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_geometry::Mesh;
-use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::lobe::{Dielectric, Distribution, Principled};
-use capwalk_scene::number::Indices;
-use capwalk_scene::primitive::{icosphere, rectangle};
+use capwalk_math::Affine;
+use capwalk_scene::lobe::{Distribution, Principled};
+use capwalk_scene::primitive::rectangle;
 use capwalk_scene::*;
-
-/// True if both modes refuse, by name.
-fn is_refused(scene: &Scene, name: &str) -> bool {
-    let reasons = refusals(scene, &tangent(scene, name))
-        .map(|reason| reason.is_some_and(|reason| reason.contains("specular")));
-    assert_eq!(reasons[0], reasons[1], "{name}: only one mode refuses");
-    reasons[0]
-}
 
 /// Why forward and reverse mode refuse, if they do.
 fn refusals(scene: &Scene, tangent: &Tangent) -> [Option<String>; 2] {
     refusals_with(scene, tangent, Method::default())
-}
-
-#[test]
-fn an_emitter_that_moves_in_a_mirror() {
-    let mut scene = mirror_floor();
-    assert!(is_refused(&scene, "lamp.translate.x"));
-    assert!(is_refused(&scene, "sensor.translate.x"));
-    assert!(is_refused(&scene, "floor.rotate.x"));
-    assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
-    scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
-    assert!(!is_refused(&scene, "lamp.translate.x"));
-}
-
-/// A black ball hides the sky's reflection: it is met by the last segment, which
-/// carries no light.
-#[test]
-fn a_blocker_that_moves_in_a_mirror() {
-    let mut scene = mirror_floor();
-    scene.shapes.pop();
-    let radiance = scene.textures.len() as u32;
-    scene.add_texture(Texture::colour("sky.radiance", Rgb::splat(1.0)));
-    scene.emitters = vec![Emitter::Constant {
-        id: "sky".into(),
-        radiance: TextureId(radiance),
-    }];
-    // Above the image, seen in the mirror only.
-    let mut ball = icosphere(4);
-    ball.positions
-        .iter_mut()
-        .for_each(|p| *p = *p * 0.4 + v(0.0, 1.5, 1.6));
-    add(&mut scene, "ball", ball, ShadingNormals::Face, 0.0);
-    assert!(is_refused(&scene, "ball.translate.x"));
-}
-
-/// A thing behind the surface of a body of glass, lit through it.
-fn blocker_in_glass(max_depth: u32) -> Scene {
-    let mut scene = empty(v(0.0, -4.0, 0.5), v(0.0, 0.0, 0.0), 30.0, 12);
-    add_floor(&mut scene, 3.0);
-    add_emitter(&mut scene, v(0.0, 0.0, 3.0), 1.5, 0.3, 10.0);
-    let pane = Affine::translate(v(0.0, 0.0, 0.8)) * Affine::scale(v(3.0, 3.0, 1.0));
-    let (mesh, normals) = rectangle(pane);
-    add(&mut scene, "pane", mesh, normals, 0.0);
-    let mut number = |id: &str, x: f64| scene.add_texture(Texture::number(id, x));
-    let glass = Bsdf::from(Dielectric {
-        eta: Indices {
-            int_ior: number("int_ior", 1.5),
-            ext_ior: number("ext_ior", 1.0),
-        },
-        specular_reflectance: number("reflected", 1.0),
-        specular_transmittance: number("transmitted", 1.0),
-    });
-    let shown = scene.shapes.last().expect("the pane").bsdf;
-    scene.materials[shown.0 as usize].bsdf = glass;
-    let thing = placed(triangle(), Affine::translate(Vec3::new(0.0, 0.0, 0.6)));
-    add(&mut scene, "thing", thing, ShadingNormals::Face, 0.5);
-    scene.settings.integrator = Integrator::Path {
-        max_depth: Some(max_depth),
-        rr_depth: 5,
-        hide_emitters: false,
-    };
-    scene
-}
-
-#[test]
-fn a_blocker_that_moves_in_glass() {
-    for depth in [3, 4] {
-        let scene = blocker_in_glass(depth);
-        assert!(is_refused(&scene, "thing.translate.x"), "depth {depth}");
-    }
-}
-
-/// The derivative of the light of which nothing is missing is the same whether its tracers know what
-/// the whole has found out about the motion, or find it out themselves. Parts of it are no parts of
-/// the whole.
-#[test]
-fn the_rest_is_a_work_of_its_own() {
-    let prepared = PreparedScene::new(blocker_in_glass(4));
-    let tangent = tangent(
-        prepared.scene(),
-        "thing.translate.x + 0.1*sensor.translate.x",
-    );
-    let options = GradientOptions {
-        allow_missing: AllowMissing { specular: true },
-        ..RenderOptions::new(8, 3).into()
-    };
-    let work = |options| GradientWork::new(&prepared, Cow::Borrowed(&tangent), options);
-    let whole = work(options);
-    let image = whole.whole(&Unwatched).expect("covered in part");
-    assert!(image.missing.is_some());
-    let chosen = whole.chosen(&Unwatched).expect("a method").options;
-    let rest = whole.of_rest().whole(&Unwatched).expect("covered");
-    let fresh = work(chosen).of_rest().whole(&Unwatched).expect("covered");
-    assert_eq!(rest.gradient, fresh.gradient);
-    assert_ne!(rest.value, image.value);
-    let part = Part::whole(whole.grid());
-    let part = whole.of_rest().part(&part, &Unwatched).expect("a part");
-    assert!(whole.finish(part).is_err());
-}
-
-/// What moves in a mirror, seen under parallel rays, is refused; what moves beside the
-/// mirror is not, nor are reflections that do not move.
-#[test]
-fn mirrors_under_parallel_rays() {
-    let mut scene = mirror_floor();
-    scene.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
-    assert!(!is_refused(&scene, "lamp.translate.x"));
-    scene.sensor.model = SensorModel::Orthographic;
-    for reason in refusals(&scene, &tangent(&scene, "lamp.translate.x")) {
-        let reason = reason.expect("refused");
-        assert!(
-            reason.contains("mirrors by an orthographic sensor"),
-            "{reason}"
-        );
-    }
-    assert!(!is_refused(&scene, "lamp.emitter.radiance.value"));
 }
 
 /// The plane in which the film of an orthographic sensor lies cuts what it passes

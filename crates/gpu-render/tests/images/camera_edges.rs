@@ -391,9 +391,6 @@ fn what_has_no_edges_yet_is_refused() {
         method: Method::Walk,
         ..edges
     };
-    // Without leave the CPU refuses these, too.
-    let mut with_leave = edges;
-    with_leave.allow_missing.specular = true;
     let mut steps = edges;
     steps.walk.steps = 2;
     for (scene, precision, options, expected) in [
@@ -406,13 +403,13 @@ fn what_has_no_edges_yet_is_refused() {
         (
             curved,
             Precision::Double,
-            with_leave,
+            edges,
             "shape \"ball\" is a curved mirror",
         ),
         (
             scene(&deep, "perspective", "box", &lit_room(MIRROR)),
             Precision::Double,
-            with_leave,
+            edges,
             "mirrors may show each other more than 6 times",
         ),
         (

@@ -78,7 +78,7 @@ pub fn samples_among(
     let scene = prepared.scene();
     let field = Field::new(prepared.accel(), boundaries, options.method);
     let eval = Forward::new(field, tangent);
-    let facts = Arc::new(MotionFacts::of(scene));
+    let facts = Arc::new(MotionFacts::of(scene, true));
     let tracer = Tracer::moving(prepared, field, options.walk, &facts);
     let sampler = Sampler::new(&scene.settings, options.seed, 1);
     let [width, height] = scene.film.crop_size;

@@ -123,14 +123,20 @@ impl<R: Real> View<R> {
 
     /// This view without derivatives.
     pub fn value(&self) -> View<f64> {
+        self.map(R::value)
+    }
+
+    /// This view with `f` of each number.
+    pub fn map<S: Real>(&self, f: impl Fn(R) -> S) -> View<S> {
+        let vector = |v: Vec3<R>| Vec3::from(v.to_array().map(&f));
         View {
-            origin: self.origin.value(),
-            axes: self.axes.map(Vec3::value),
-            rows: self.rows.map(Vec3::value),
-            volume: self.volume.value(),
+            origin: vector(self.origin),
+            axes: self.axes.map(vector),
+            rows: self.rows.map(vector),
+            volume: f(self.volume),
             is_parallel: self.is_parallel,
-            focal: self.focal.value(),
-            centre: self.centre.map(R::value),
+            focal: f(self.focal),
+            centre: self.centre.map(&f),
             clip: self.clip,
         }
     }

@@ -4,7 +4,6 @@ use crate::common::agree::tangent;
 use crate::common::refused::{checkered_floor, mirror_floor, refusals_with};
 use crate::common::stages::*;
 use crate::common::*;
-use crate::folder::Folder;
 use capwalk_diff::{GradientOptions, PreparedScene, RenderOptions, Unwatched, gradient};
 use capwalk_paper::fields::{AMONG_EXPLICIT_BOUNDARIES, ON_TRIANGLES, WasSettings, was};
 use capwalk_scene::primitive::icosphere;
@@ -101,19 +100,4 @@ fn warps_without_rays() {
         let expected = format!("warped-area sampling with {rays} auxiliary rays");
         assert!(refusal.to_string().starts_with(&expected), "{refusal}");
     }
-}
-
-/// What unbiased fields refuse, biased ones leave out: they count it.
-#[test]
-fn warps_leave_out_what_moves_in_mirrors() {
-    let scene = Folder::new("object_moves_in_a_curved_mirror").scene();
-    let moves = tangent(&scene, "thing.translate.x");
-    let options = GradientOptions {
-        method: was(WasSettings::default()),
-        ..GradientOptions::new(RenderOptions::new(2, 1))
-    };
-    let prepared = PreparedScene::new(scene);
-    let image = gradient(&prepared, &moves, &options, &Unwatched).expect("a derivative");
-    assert!(image.statistics.uncovered > 0);
-    assert!(image.missing.is_some());
 }

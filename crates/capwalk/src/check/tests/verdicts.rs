@@ -12,7 +12,7 @@ use capwalk_diff::{RenderOptions, Unwatched};
 use serde_json::Value;
 
 use crate::check::{Check, CheckOptions};
-use crate::{GradientImage, GradientOptions, Loader, Prepared, Verdict};
+use crate::{GradientOptions, Loader, Prepared, Verdict};
 
 /// So many checks where nothing else is asked for: a few seconds.
 const FEW: u64 = 12;
@@ -252,7 +252,7 @@ impl Tally {
         match verdict {
             Verdict::Right => self.right += 1,
             Verdict::Wrong { .. } => self.wrong += 1,
-            Verdict::Inconclusive { .. } | Verdict::Partial { .. } => self.inconclusive += 1,
+            Verdict::Inconclusive { .. } => self.inconclusive += 1,
         }
     }
 }
@@ -278,7 +278,7 @@ fn check(prepared: &Prepared, parameter: &str, options: &CheckOptions, factor: f
         &tangent,
         reference,
         &options.gradient,
-        &|options: &GradientOptions, _: &GradientImage| gradient(options),
+        &|options: &GradientOptions| gradient(options),
         &Unwatched,
     );
     check.unwrap()

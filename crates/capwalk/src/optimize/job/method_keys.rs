@@ -1,11 +1,11 @@
 //! The `[method]` of a job: how gradients are estimated.
 
-use capwalk_diff::{AllowMissing, Method, WalkSettings};
+use capwalk_diff::{Method, WalkSettings};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
 
 use super::table::{integer, number, truth};
-use crate::method::{Choice, MethodChoice, MethodName, MissingName, WalkChoice};
+use crate::method::{Choice, MethodChoice, MethodName, WalkChoice};
 
 /// What `[method]` says.
 #[derive(Clone, Copy, Debug, Default)]
@@ -13,11 +13,9 @@ pub struct MethodKeys {
     pub method: Method,
     /// The walk of a method that walks.
     pub walk: WalkSettings,
-    /// What gradients may leave out.
-    pub allow_missing: AllowMissing,
 }
 
-/// The method and its walk, and what may be left out; the default ones without the table.
+/// The method and its walk; the default ones without the table.
 pub fn read(root: &Table) -> Result<MethodKeys, LoadError> {
     let Some(value) = root.get("method") else {
         return Ok(MethodKeys::default());
@@ -37,10 +35,6 @@ pub fn read(root: &Table) -> Result<MethodKeys, LoadError> {
     // Of the keys, only those of the method mean something.
     let table = value.table(&format!("[method] of type \"{}\"", method.name()))?;
     table.get("type");
-    let allowed = table.get("allow_missing").map(|value| value.items());
-    let allowed = allowed.unwrap_or_default();
-    let allowed = allowed.iter().map(|name| name.choice(MissingName::NAMES));
-    let allow_missing = MissingName::allow(&allowed.collect::<Result<Vec<_>, _>>()?);
     match method {
         MethodName::Auto => {}
         MethodName::Walk | MethodName::Edges => {
@@ -51,11 +45,7 @@ pub fn read(root: &Table) -> Result<MethodKeys, LoadError> {
     let (method, walk) = chosen
         .resolve()
         .map_err(|error| value.error(error.to_string()))?;
-    Ok(MethodKeys {
-        method,
-        walk,
-        allow_missing,
-    })
+    Ok(MethodKeys { method, walk })
 }
 
 /// The walk of a method that walks, if not everywhere.

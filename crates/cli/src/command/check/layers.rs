@@ -23,8 +23,7 @@ pub fn write(
     let z = z_image(&check.comparison, &check.gradient.value.mean);
     let mut layered = layered(scene, parameter, checked);
     layered.push("z", z.clone());
-    let title = output::gradient_title(&check.gradient.statistics);
-    files.write(&layered, &panels(check, &title, &z))
+    files.write(&layered, &panels(check, &z))
 }
 
 /// All layers but z. What the image says of itself is true for gradient and
@@ -55,9 +54,6 @@ fn layered(scene: &SceneArgs, parameter: &str, checked: &Checked) -> LayeredImag
     }
     output::push_estimate(&mut layered, "value", "value_stderr", &gradient.value);
     output::push_estimate(&mut layered, "gradient", "stderr", &gradient.gradient);
-    if let Some(missing) = &gradient.missing {
-        output::push_estimate(&mut layered, "missing", "missing_stderr", missing);
-    }
     output::push_estimate(
         &mut layered,
         "reference",
@@ -77,7 +73,7 @@ fn z_image(comparison: &Comparison, like: &Image) -> Image {
 }
 
 /// Value, gradient and reference with the same colours, and z.
-fn panels<'a>(check: &'a Check, title: &'a str, z: &'a Image) -> [Panel<'a>; 4] {
+fn panels<'a>(check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
     let (gradient, reference) = (
         &check.gradient.gradient.mean,
         &check.reference.gradient.mean,
@@ -94,7 +90,7 @@ fn panels<'a>(check: &'a Check, title: &'a str, z: &'a Image) -> [Panel<'a>; 4] 
             &check.gradient.value.mean,
             Style::Photographic { exposure: 0.0 },
         ),
-        panel(title, gradient, Style::Diverging { limit }),
+        panel("gradient", gradient, Style::Diverging { limit }),
         panel("reference", reference, Style::Diverging { limit }),
         panel("z", z, Style::Diverging { limit: Z_LIMIT }),
     ]
@@ -115,7 +111,6 @@ mod tests {
             standard_error: Image::new(2, 1),
         };
         GradientImage {
-            missing: None,
             chosen: None,
             value: estimate.clone(),
             gradient: estimate,
@@ -125,9 +120,7 @@ mod tests {
                 samples: samples.iter().map(|&n| u64::from(n)).sum(),
                 non_finite,
                 cone_queries: 0,
-                uncovered: 0,
                 effort: 0,
-                missing: None,
                 device: UsedDevice::default(),
             },
         }

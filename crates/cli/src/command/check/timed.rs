@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use anyhow::Result;
-use capwalk::{AllowMissing, Check, CheckOptions, Chosen, Error, Prepared, Tangent, comparable};
+use capwalk::{Check, CheckOptions, Chosen, Error, Prepared, Tangent};
 
 use crate::progress::Progress;
 
@@ -38,22 +38,11 @@ pub fn check(
     let mut gradient_seconds = progress.finish().as_secs_f64();
     let chosen = chosen.map_err(Error::from)?;
 
-    let parts = match options.gradient.allow_missing == AllowMissing::default() {
-        true => 2,
-        false => 4,
-    };
-    let part = left().map(|left| left / parts);
-    let progress = Progress::new("gradient", part);
+    let half = left().map(|left| left / 2);
+    let progress = Progress::new("gradient", half);
     let gradient = work.whole(&progress);
     gradient_seconds += progress.finish().as_secs_f64();
-    let mut gradient = gradient.map_err(Error::from)?;
-    if gradient.missing.is_some() {
-        let progress = Progress::new("gradient of the rest", part);
-        let rest = comparable(gradient, &work, &progress);
-        gradient_seconds += progress.finish().as_secs_f64();
-        gradient = rest?;
-    }
-
+    let gradient = gradient.map_err(Error::from)?;
     drop(work); // what it knows of the motion can be large
     let progress = Progress::new("reference", left());
     let check = prepared.checked(gradient, tangent, reference, &chosen.options, &progress);

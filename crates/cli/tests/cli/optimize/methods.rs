@@ -78,7 +78,7 @@ fn keys_of_other_methods_are_errors() {
         &[
             "job.toml:32:1",
             "unknown key `cutoff` in [method] of type \"edges\"",
-            "one of: allow_missing, antithetic, estimator, max_angle, steps, type",
+            "one of: antithetic, estimator, max_angle, steps, type",
         ],
     );
     bad(
@@ -93,7 +93,7 @@ fn keys_of_other_methods_are_errors() {
         "steps = 2\ncutoff = 10",
         &[
             "unknown key `cutoff` in [method] of type \"walk\"",
-            "one of: allow_missing, antithetic, estimator, max_angle, steps, type",
+            "one of: antithetic, estimator, max_angle, steps, type",
         ],
     );
 }

@@ -9,7 +9,8 @@ use capwalk_boundary::{Counts, Draw, Field, Method, Refusal, Sampler};
 use capwalk_diff::Forward;
 use capwalk_math::{Frame, Moments, Real, Rgb, Vec3};
 use capwalk_render::{
-    FIRST_VERTEX, LightSampling, Plan, PreparedScene, Primal, SpecularChain, Tracer, Vertex,
+    Arrival, FIRST_VERTEX, LightSampling, Plan, PreparedScene, Primal, SpecularChain, Tracer,
+    Vertex,
 };
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf};
 use capwalk_scene::{Scene, Tangent};
@@ -81,7 +82,8 @@ pub fn irradiance(
                 counts: &Counts::default(),
             };
             let chain = SpecularChain::default();
-            let emitted = tracer.emitted(&eval, &vertex, incoming, 0, chain, draw);
+            let emitted =
+                tracer.emitted(&eval, &vertex, incoming, 0, chain, Arrival::default(), draw);
             let light = emitted.light.r;
             irradiance.value.add(light.value);
             irradiance.gradient.add(light.tangent[0]);
@@ -120,7 +122,15 @@ pub fn difference(
             let [above, below] = [0, 1].map(|i| {
                 let (eval, chain) = (Primal(sides[i].accel()), SpecularChain::default());
                 let incoming = [position, -normal];
-                let emitted = tracers[i].emitted(&eval, &vertex, incoming, 0, chain, draw);
+                let emitted = tracers[i].emitted(
+                    &eval,
+                    &vertex,
+                    incoming,
+                    0,
+                    chain,
+                    Arrival::default(),
+                    draw,
+                );
                 emitted.light.r
             });
             moments.add(above - below);
