@@ -159,7 +159,10 @@ pub fn follow<R: Real, W: SceneEval<R>>(
         let surface = surface_at(eval, accel, hit, ray[0], ray[1]);
         let mut vertex = black_vertex_at(&surface, ray[1]);
         add_lobes(eval, accel, &surface, &mut vertex);
-        let own = own_event(&vertex, *event).expect("a chain is of events that are there");
+        // Rounding may take away what a grazing ray has.
+        let Some(own) = own_event(&vertex, *event) else {
+            return bent;
+        };
         let ([_, direction], _) = vertex.specular(own, ray);
         let own = cosine(&vertex, direction);
         Bent {

@@ -87,8 +87,9 @@ impl Tracer<'_> {
             ahead.events.push(event.event);
             let fraction;
             (ray, fraction) = vertex.specular(event, ray);
-            let [origin, direction] = ray.map(Vec3::value);
-            hit = accel.first_hit(origin, direction);
+            // What passes keeps its origin, before the surface.
+            let direction = ray[1].value();
+            hit = accel.first_hit(primal.position, direction);
             if is_missed && emitter_towards(accel, hit.as_ref(), direction).is_some() {
                 ahead.note();
             }

@@ -163,6 +163,10 @@ impl Tracer<'_> {
             }
             paths = paths.map(|path| self.after(path, event));
             chain = chain.at(flat).followed_by(event);
+            // Light behind so many events has a field along them.
+            if self.has_chains && chain.is_missed() {
+                return Rgb::zero();
+            }
             events += 1;
             reflections += usize::from(shows);
         }

@@ -58,7 +58,10 @@ impl Magnifications {
             Start::Surface(_) => &self.of_surfaces,
         };
         let known = all[..events.min(all.len())].iter().rev();
-        known.copied().find(|x| x.is_finite()).unwrap_or(1.0)
+        known
+            .copied()
+            .find(|x| x.is_finite() && *x > 0.0)
+            .unwrap_or(1.0)
     }
 }
 

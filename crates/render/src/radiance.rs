@@ -80,6 +80,11 @@ impl SpecularChain {
         Self { here, ..self }
     }
 
+    /// True if the field does not have the silhouettes behind them.
+    pub(crate) fn is_missed(&self) -> bool {
+        self.count.is_none()
+    }
+
     /// This chain with one event more, at this place.
     pub(crate) fn followed_by(self, event: Event) -> Self {
         let count = self.after(event);
@@ -103,7 +108,7 @@ pub enum Shown {
     All,
     /// That behind events whose silhouettes are in the fields of viewpoints, or that are gathered.
     Covered,
-    /// That after so many events.
+    /// The other light, after so many events.
     After(u32),
 }
 
@@ -113,7 +118,7 @@ impl Shown {
         match self {
             Self::All => true,
             Self::Covered => !is_missed,
-            Self::After(count) => count == events,
+            Self::After(count) => is_missed && count == events,
         }
     }
 

@@ -121,7 +121,7 @@ impl<'a> Tracer<'a> {
         let tracer = Self {
             has_chains: field.method.traits().is_spherical
                 && facts.turns_light()
-                && Plan::new(prepared.scene()).sampling.bsdf_samples > 0
+                && has_specular_light(&Plan::new(prepared.scene()))
                 && may_miss(prepared.accel()),
             moving: Some(Moving { field, walks }),
             facts: Arc::clone(facts),
@@ -315,6 +315,11 @@ impl<'a> Tracer<'a> {
         let moving = self.moving.as_ref();
         &moving.expect("only scenes that move are walked in").walks
     }
+}
+
+/// True if paths bring light by specular events.
+fn has_specular_light(plan: &Plan) -> bool {
+    plan.aov.is_none() && plan.sampling.bsdf_samples > 0
 }
 
 /// True if a path may take part in specular events whose silhouettes no field of a viewpoint has.

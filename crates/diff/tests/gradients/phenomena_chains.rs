@@ -6,9 +6,11 @@ use crate::common::materials::*;
 use crate::common::refused::mirror_floor;
 use crate::common::stages::*;
 use crate::common::*;
-use capwalk_diff::{GradientOptions, Method, PreparedScene};
+use capwalk_diff::{
+    Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient, render,
+};
 use capwalk_math::{Affine, Rgb, Vec3};
-use capwalk_scene::primitive::{cube, icosphere};
+use capwalk_scene::primitive::{cube, icosphere, rectangle};
 use capwalk_scene::*;
 
 /// A cube beside or in a smooth ball under a sky.
@@ -56,5 +58,46 @@ fn both_modes_are_one_map() {
             let name = format!("{name} by {}", method.name());
             agree_by(&name, &prepared, &motion, &settings);
         }
+    }
+}
+
+/// The sum of an image, and its standard error.
+fn sum(image: &Estimate) -> (f64, f64) {
+    let pixels = image.mean.pixels.iter().map(|pixel| pixel.mean());
+    let errors = image.standard_error.pixels.iter();
+    let squares = errors.map(|error| error.mean().powi(2));
+    (pixels.sum(), squares.sum::<f64>().sqrt())
+}
+
+/// Light that has a field along its chain and all other light are the image together: also behind a pane, through
+/// which a ray goes on, and where a coat both scatters and reflects.
+#[test]
+fn no_light_is_lost() {
+    let mut mirror = beside_a_ball(v(-0.7, -1.0, -0.1));
+    make(&mut mirror, "ball", |n| n.mirror());
+    make(&mut mirror, "thing", |n| n.coat(false));
+    let place = Affine::translate(v(0.0, -2.0, 0.0)) * Affine::rotate(v(1.0, 0.0, 0.0), 1.5);
+    let (pane, normals) = rectangle(place * Affine::scale(Vec3::splat(2.0)));
+    let mut behind = mirror.clone();
+    add(&mut behind, "pane", pane, normals, 0.0);
+    make(&mut behind, "pane", |n| n.pane());
+    let mut glassy = beside_a_ball(v(0.05, 0.0, 0.0));
+    make(&mut glassy, "ball", |n| n.glass());
+    for (name, mut scene) in [("mirror", mirror), ("pane", behind), ("glass", glassy)] {
+        small(&mut scene, 6);
+        let motion = everything(&scene, 7);
+        let prepared = PreparedScene::new(scene);
+        let options = RenderOptions::new(200, 3);
+        let image = render(&prepared, &options, &Unwatched);
+        let derivative = gradient(&prepared, &motion, &options.into(), &Unwatched);
+        let [(all, error), (found, own_error)] =
+            [image.value, derivative.expect("covered").value].map(|image| sum(&image));
+        let error = error.hypot(own_error);
+        println!("{name}: {found} instead of {all} ± {error}");
+        assert!(
+            (found - all).abs() < 4.5 * error,
+            "{name}: {found} {all} ± {error}"
+        );
+        assert!(error < 0.02 * all, "{name}");
     }
 }
