@@ -48,6 +48,15 @@ pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
     })
 }
 
+/// True if a material blends two that refract light in one direction each.
+pub fn is_blend_of_refracting(scene: &Scene, id: BsdfId) -> bool {
+    let refracts = |&part: &BsdfId| any_part(scene, part, |bsdf| bsdf.traits().refracts);
+    match &scene.material(id).bsdf {
+        Bsdf::Blend { nested, .. } => nested.iter().all(refracts),
+        _ => false,
+    }
+}
+
 /// True if a material does nothing but reflect or refract light in one direction.
 pub fn is_purely_specular(scene: &Scene, id: BsdfId) -> bool {
     let material = &scene.material(id).bsdf;

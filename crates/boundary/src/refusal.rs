@@ -135,6 +135,11 @@ pub enum Refusal {
         /// The method.
         method: &'static str,
     },
+    /// A blend refracts light in two directions at once, and a field along a chain follows one.
+    TwoRefractions {
+        /// Name of the material.
+        material: String,
+    },
     /// The adjoint image has another size than the image.
     AdjointSize {
         /// Its width and height, pixels.
@@ -345,6 +350,13 @@ impl Refusal {
                      fields of the method `{method}` do not cover the silhouettes seen there"
                 ),
                 instead("Use fields on the sphere, the default, which do"),
+            ),
+            Self::TwoRefractions { material } => (
+                format!(
+                    "the material \"{material}\" blends two that refract light in different directions, \
+                     and what moves behind it has two images"
+                ),
+                instead("Use one of them, or two surfaces"),
             ),
             Self::AdjointSize {
                 found: [width, height],

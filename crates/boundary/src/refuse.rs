@@ -1,12 +1,14 @@
 //! Which derivatives are refused, decided before they are estimated.
 
-use capwalk_scene::{Emitter, Scene, SensorModel, TextureId};
+use capwalk_scene::{BsdfId, Emitter, Scene, SensorModel, TextureId};
 use capwalk_walk::WalkSettings;
 
 use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 use crate::clip::refuse_clipped;
-use crate::material::{depends_on_rotation, may_be_specular, tangents_of_face, textures_of};
+use crate::material::{
+    depends_on_rotation, is_blend_of_refracting, may_be_specular, tangents_of_face, textures_of,
+};
 use crate::method::Method;
 use crate::refusal::Refusal;
 use crate::shadow_line::MOST_SHADOW_LINES;
@@ -161,6 +163,16 @@ pub fn refuse_cut_normals(
 /// A refusal if something can be seen in mirrors or through transparent surfaces, and the method's field has no
 /// silhouettes there.
 pub fn refuse_specular(scene: &Scene, method: &Method) -> Result<(), Refusal> {
+    let two = |id: &BsdfId| is_blend_of_refracting(scene, *id);
+    let mut blends = scene
+        .shapes
+        .iter()
+        .flat_map(|shape| scene.materials_below(shape.bsdf));
+    if let Some(id) = blends.find(two) {
+        return Err(Refusal::TwoRefractions {
+            material: scene.material(id).id.clone(),
+        });
+    }
     let traits = method.traits();
     match traits.is_unbiased && !traits.is_spherical && is_specular_somewhere(scene) {
         true => Err(Refusal::SpecularMotion {
