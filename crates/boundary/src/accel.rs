@@ -8,7 +8,7 @@ use capwalk_geometry::{
 use capwalk_math::Vec3;
 use capwalk_scene::lobe::Event;
 use capwalk_scene::resolve::Resolver;
-use capwalk_scene::sensor::view::View;
+use capwalk_scene::sensor::view::{View, ViewRay};
 use capwalk_scene::{DeltaLight, EmitterId, Scene, ShapeId};
 
 use crate::flush_emitter::FlushEmitters;
@@ -244,14 +244,7 @@ impl Accel {
     /// The camera's ray from a point of its lens in a unit direction, between its
     /// clip planes.
     pub fn camera_ray(&self, viewpoint: Vec3, direction: Vec3) -> Ray {
-        let ray = self.view.from(viewpoint).ray(direction);
-        let [t_min, t_max] = ray.range;
-        Ray {
-            origin: ray.origin,
-            direction: ray.direction,
-            t_min,
-            t_max,
-        }
+        bounded_ray(&self.view.from(viewpoint).ray(direction))
     }
 
     /// What the camera can see, up to rounding: what is behind its near plane. `None` if its
@@ -345,6 +338,17 @@ impl Accel {
         let emitter = self.scene.shape(self.shape_of(hit)).emitter?;
         let front = self.mesh.face_cross(hit.face as usize).dot(direction) < 0.0;
         front.then_some(emitter)
+    }
+}
+
+/// A camera's ray between its clip planes.
+pub fn bounded_ray(ray: &ViewRay<f64>) -> Ray {
+    let [t_min, t_max] = ray.range;
+    Ray {
+        origin: ray.origin,
+        direction: ray.direction,
+        t_min,
+        t_max,
     }
 }
 

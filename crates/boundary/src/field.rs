@@ -91,7 +91,7 @@ impl<'a> Field<'a> {
 
     /// The normal of the viewpoint's face, if a point that is seen without a specular event is
     /// on an edge in the plane of that face, as the face's own edges are: on the horizon.
-    pub fn horizon<R: Real>(
+    pub(crate) fn horizon<R: Real>(
         &self,
         viewpoint: &Viewpoint<R>,
         found: &SilhouettePoint,

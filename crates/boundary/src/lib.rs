@@ -50,7 +50,7 @@ mod walk;
 mod warp;
 mod window;
 
-pub use accel::{Accel, MeshChange};
+pub use accel::{Accel, MeshChange, bounded_ray};
 pub use beside::{BESIDE, beside};
 pub use boundaries::{Boundaries, same_edges};
 pub use boundary_sample::BoundarySample;

@@ -161,7 +161,7 @@ pub fn refuse_cut_normals(
 }
 
 /// A refusal if something can be seen in mirrors or through transparent surfaces, and the method's field has no
-/// silhouettes there.
+/// silhouettes there, or one of these shows it twice by the same events.
 pub fn refuse_specular(scene: &Scene, method: &Method) -> Result<(), Refusal> {
     let two = |id: &BsdfId| is_blend_of_refracting(scene, *id);
     let mut blends = scene

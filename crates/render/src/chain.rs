@@ -1,7 +1,7 @@
 //! Chains of perfectly specular events that a ray takes part in (METHOD 6): mirrors, glass and panes, flat or
 //! curved.
 
-use capwalk_boundary::{Accel, Stream};
+use capwalk_boundary::{Accel, Stream, bounded_ray};
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::{Event, Specular};
@@ -61,16 +61,7 @@ impl Start<f64> {
     /// The ray with its bounds.
     pub fn bounded_ray(&self, accel: &Accel, q: Vec3) -> Ray {
         match self {
-            Self::Camera(view) => {
-                let ray = view.ray(q);
-                let [t_min, t_max] = ray.range;
-                Ray {
-                    origin: ray.origin,
-                    direction: ray.direction,
-                    t_min,
-                    t_max,
-                }
-            }
+            Self::Camera(view) => bounded_ray(&view.ray(q)),
             Self::Surface(origin) => accel.surface_ray(*origin, q),
         }
     }

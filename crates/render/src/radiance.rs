@@ -19,8 +19,8 @@
 //!
 //! Sampling, weights and roulette are detached: they see the primal scene.
 
-use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint};
-use capwalk_geometry::{Hit, Ray};
+use capwalk_boundary::{Draw, FlatEvents, MAX_EVENTS, Viewpoint, bounded_ray};
+use capwalk_geometry::Hit;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::emitter::delta::DeltaLight;
 use capwalk_scene::lobe::{Event, Specular};
@@ -198,13 +198,7 @@ impl Tracer<'_> {
 
     /// What the camera sees first along a ray, between its clip planes.
     pub(crate) fn first_hit(&self, ray: &ViewRay<f64>) -> Option<Hit> {
-        let [t_min, t_max] = ray.range;
-        self.accel.first_hit_within(&Ray {
-            origin: ray.origin,
-            direction: ray.direction,
-            t_min,
-            t_max,
-        })
+        self.accel.first_hit_within(&bounded_ray(ray))
     }
 
     /// A sample of the radiance that comes back along a moving ray, given by its origin and its
