@@ -150,11 +150,11 @@ pub fn follow<R: Real, W: SceneEval<R>>(
         let surface = surface_at(eval, accel, hit, ray[0], ray[1]);
         let mut vertex = black_vertex_at(&surface, ray[1]);
         add_lobes(eval, accel, &surface, &mut vertex);
-        // Rounding may take away what a grazing ray has.
-        let Some(own) = own_event(&vertex, *event) else {
-            return bent;
-        };
-        let ([_, direction], _) = vertex.specular(own, ray);
+        // Rounding may take away what a grazing ray has: then it is NaN, and counted with the sample.
+        let direction = own_event(&vertex, *event)
+            .map_or(Vec3::constant(Vec3::splat(f64::NAN)), |own| {
+                vertex.specular(own, ray).0[1]
+            });
         let own = cosine(&vertex, direction);
         Bent {
             ray: [surface.position, direction],

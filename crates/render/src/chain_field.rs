@@ -232,8 +232,8 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ChainSphere<'_, R, F> {
         let rest = (by_t - by_m * R::constant(by_least)) * R::constant(damped);
         let [u, v] = [0, 1].map(|i| by_m * R::constant(least[i]) + rest * R::constant(p[i]));
         let (s, t) = (Vec3::constant(frame.s), Vec3::constant(frame.t));
-        let velocity = s * u + t * v;
-        velocity.value().is_finite().then_some(velocity)
+        // Where the chain turns nothing across the edge, this is NaN, and counted with the sample.
+        Some(s * u + t * v)
     }
 }
 
@@ -254,7 +254,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ChainSphere<'_, R, F> 
                 });
             }
         }
-        let mut queries = self.queries.get() + 1;
+        let mut queries = self.queries.get() + self.direct.len() as u64;
         // And from each vertex of the chain.
         let mut cosine = 1.0_f64;
         for (i, after) in self.links(q).enumerate() {

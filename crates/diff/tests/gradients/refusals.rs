@@ -17,6 +17,29 @@ fn refusals(scene: &Scene, tangent: &Tangent) -> [Option<String>; 2] {
     refusals_with(scene, tangent, Method::default())
 }
 
+/// What moves behind a blend of two glasses has two images by the same events; colours there have derivatives.
+#[test]
+fn motion_behind_a_blend_of_glasses() {
+    let mut scene = shadow_stage();
+    (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+    make(&mut scene, "floor", |n| {
+        let glass = n.glass();
+        let nested = ["first", "second"].map(|name| n.part(name, glass.clone()));
+        let weight = n.number("weight", 0.5);
+        Bsdf::Blend { weight, nested }
+    });
+    for (name, why) in [
+        ("lamp.translate.x", "refract light in different directions"),
+        ("lamp.emitter.radiance.value", ""),
+    ] {
+        for reason in refusals(&scene, &tangent(&scene, name)) {
+            let reason = reason.unwrap_or_default();
+            let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
+            assert!(is_right, "{name}: {reason}");
+        }
+    }
+}
+
 /// The plane in which the film of an orthographic sensor lies cuts what it passes
 /// through, too.
 #[test]
