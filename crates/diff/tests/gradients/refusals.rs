@@ -24,7 +24,7 @@ fn motion_behind_a_blend_of_glasses() {
     (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
     make(&mut scene, "floor", |n| {
         let glass = n.glass();
-        let nested = ["first", "second"].map(|name| n.part(name, glass.clone()));
+        let nested = ["first", "second"].map(|name| n.part(name, glass));
         let weight = n.number("weight", 0.5);
         Bsdf::Blend { weight, nested }
     });
