@@ -62,7 +62,7 @@ pub enum Command {
     /// Check a gradient against central finite differences
     ///
     /// Writes SCENE-check.png (value | gradient | reference | z) unless -o
-    /// says otherwise. Exit status 0: right, 1: wrong, 2: inconclusive, 6: something is left out.
+    /// says otherwise. Exit status 0: right, 1: wrong, 2: inconclusive.
     Check(Check),
     /// Show what is in a scene, and which of its parameters can be differentiated
     Info(Info),

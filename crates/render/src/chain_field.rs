@@ -338,7 +338,8 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ChainSphere<'_, R, F> 
 #[cfg(test)]
 mod tests {
     use capwalk_boundary::{Accel, Boundaries, Method, SEEN};
-    use capwalk_geometry::EdgeSelection;
+    use capwalk_geometry::edge::closest_direction;
+    use capwalk_geometry::{Edge, EdgeSelection};
     use capwalk_scene::lobe::Conductor;
     use capwalk_scene::primitive::icosphere;
     use capwalk_scene::{BsdfId, Material, Scene, ShadingNormals, Shape, Texture, builtin};
@@ -379,6 +380,53 @@ mod tests {
             let [x, y] = [0.618_034, 0.414_214].map(|k| (f64::from(i) * k).fract());
             accel.view.direction([width * x, height * y])
         })
+    }
+
+    /// All edges, one after the other: those that bound light of chains, whose closest point is seen from the surface
+    /// and that are not in the plane of the face.
+    #[test]
+    fn what_is_closest_behind_an_event_is_that_of_brute_force() {
+        let mut scene = with_mirror_ball();
+        let mut second = Shape::clone(scene.shapes.last().expect("the ball"));
+        (second.mesh.positions.iter_mut()).for_each(|p| *p = *p + Vec3::new(0.7, 0.5, -0.6));
+        second.id = "second".into();
+        scene.add_shape(second);
+        let accel = Accel::new(scene);
+        let boundaries = Boundaries::new(&accel);
+        let field = Field::new(&accel, &boundaries, Method::Walk);
+        let event = Event::Reflect;
+        let mut found = [0, 0];
+        for q in directions(&accel) {
+            let ray = Start::Camera(accel.view).bounded_ray(&accel, q);
+            let Some(after) = next_link(&accel, &ray, event) else {
+                continue;
+            };
+            let [x, r] = after.ray;
+            let angle = |edge: &Edge| {
+                let [creases, round] = SEEN_BY_CHAINS.map(|(group, _)| edge.groups & group != 0);
+                let ends = edge.vertices.map(|i| boundaries.position(i));
+                let [a, b] = ends.map(|p| p - x);
+                let closest = closest_direction(a, b, r)?;
+                let counts = creases || round && edge.is_silhouette(&accel.mesh, x);
+                let is_own = field.in_horizon(x, edge.vertices, after.face_normal);
+                let seen = accel.first_hit(x, closest.direction);
+                let is_seen = seen.is_none_or(|hit| hit.t > closest.distance - 1e-7);
+                (counts && !is_own && is_seen).then_some((closest.angle, round))
+            };
+            let edges = boundaries.edges().iter();
+            let expected = edges
+                .filter_map(angle)
+                .min_by(|(a, _), (b, _)| a.total_cmp(b));
+            let point = field.closest_behind(x, after.face_normal, r, PI);
+            let (point, (angle, is_round)) = point.zip(expected).expect("a room has edges");
+            assert!(
+                (point.angle - angle).abs() < 1e-12,
+                "{q:?}: {}, {angle}",
+                point.angle
+            );
+            found[usize::from(is_round)] += 1;
+        }
+        assert!(found.iter().all(|&count| count > 5), "{found:?}");
     }
 
     /// The radius grows as it says: along each of two tangents, by central differences where the same boundary point
