@@ -1,0 +1,317 @@
+"""What moves and is seen in a mirror ball or through a glass ball: capwalk's derivative beside
+central differences of Mitsuba's images, and beside Mitsuba's own derivative.
+
+    python python/benchmarks/chains_beside_mitsuba.py CAPWALK [--scenes NAME ...] [--runs N]
+        [--spp N] [--mitsuba-spp N] [--step H] [--figure FILE.png]
+
+CAPWALK is the program; Mitsuba is the package `mitsuba`, in the variant `llvm_ad_rgb`. Both read the
+same files. Prints a table in Markdown, from N runs of each with random numbers of their own: the
+factors from capwalk's derivative to differences of Mitsuba's `path` and to the derivative of
+`prb_projective`, which gets a quarter of the samples, and the mean z² between derivative and
+differences. The steps are those of the scenes, times H. With `--figure`, the scene `FIGURE` is drawn
+instead, with one run of `prb_projective` without guiding; this needs the package `matplotlib`."""
+
+from __future__ import annotations
+
+import argparse
+import subprocess
+import tempfile
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import drjit as dr
+import mitsuba as mi
+import numpy as np
+
+HEAD = """<scene version="3.0.0">
+<default name="move" value="0"/>
+<integrator type="path"><integer name="max_depth" value="{depth}"/><integer name="rr_depth" value="100"/></integrator>
+<sensor type="perspective" id="sensor">
+  <float name="fov" value="{fov}"/>
+  <transform name="to_world"><lookat origin="{eye}" target="{target}" up="{up}"/>{move}</transform>
+  <film type="hdrfilm">
+    <integer name="width" value="{width}"/><integer name="height" value="{height}"/>
+    <rfilter type="box"/>
+  </film>
+  <sampler type="independent"/>
+</sensor>
+"""
+MOVE = '<translate x="$move"/>'
+MIRROR = '<bsdf type="conductor"><string name="material" value="none"/></bsdf>'
+GLASS = '<bsdf type="dielectric"><float name="int_ior" value="1.5"/></bsdf>'
+LIGHT = '<emitter type="area"><rgb name="radiance" value="6, 5.5, 5"/></emitter>'
+
+
+def diffuse(colour: str) -> str:
+    return f'<bsdf type="diffuse"><rgb name="reflectance" value="{colour}"/></bsdf>'
+
+
+def shape(kind: str, name: str, place: str, rest: str) -> str:
+    """A shape, placed by what is inside of its transform."""
+    file = '<string name="filename" value="ball.ply"/>' if kind == "ply" else ""
+    return f'<shape type="{kind}" id="{name}">{file}<transform name="to_world">{place}</transform>{rest}</shape>\n'
+
+
+def ball(name: str, material: str, radius: float, centre: str, move: str = "") -> str:
+    return shape("ply", name, f'<scale value="{radius}"/><translate value="{centre}"/>{move}', material)
+
+
+def cube(name: str, colour: str, size: float, centre: str, move: str = "") -> str:
+    turned = f'<scale value="{size}"/><rotate y="1" angle="25"/><translate value="{centre}"/>{move}'
+    return shape("cube", name, turned, diffuse(colour))
+
+
+def sky(radiance: str) -> str:
+    return f'<emitter type="constant"><rgb name="radiance" value="{radiance}"/></emitter>\n'
+
+
+FLOOR = shape("rectangle", "floor", '<scale value="5"/><rotate x="1" angle="-90"/>', diffuse("0.6, 0.6, 0.55"))
+LAMP = shape("rectangle", "lamp", '<rotate x="1" angle="90"/><translate x="-1" y="4" z="1"/>', LIGHT)
+LAMPLIGHT = FLOOR + LAMP + sky("0.35, 0.4, 0.5")
+DAYLIGHT = FLOOR + sky("0.9, 0.95, 1")
+RED, BLUE = "0.75, 0.2, 0.1", "0.15, 0.3, 0.7"
+
+
+class Scene(NamedTuple):
+    """What both renderers read."""
+
+    moves: str
+    """What moves along x."""
+    step: float
+    """Moves nothing in the image by more than a part of a pixel."""
+    camera: dict[str, Any]
+    content: str
+    size: tuple[int, int] = (48, 36)
+    depth: int = 4
+
+    def text(self) -> str:
+        move = MOVE if self.moves == "sensor" else ""
+        width, height = self.size
+        head = HEAD.format(width=width, height=height, depth=self.depth, move=move, **self.camera)
+        return f"{head}{self.content}</scene>\n"
+
+
+NEAR = {"fov": 24, "eye": "0, 1.6, 3.3", "target": "0, 1, 0", "up": "0, 1, 0"}
+"""A ball of radius 1 fills the image."""
+TILTED = NEAR | {"up": "0.3, 1, 0"}
+"""No edge is in line with the borders of pixels, where differences blur most."""
+MIDDLE = "0, 1.05, 0"
+THINGS = cube("cube", RED, 0.5, "-0.6, 0.5, -1.8") + ball("round", diffuse(BLUE), 0.4, "1.3, 0.4, -1.2")
+SCENES = {
+    "cube before a mirror ball": Scene(
+        "cube",
+        2e-3,
+        NEAR,
+        LAMPLIGHT + ball("ball", MIRROR, 1, MIDDLE) + cube("cube", RED, 0.3, "1.1, 1, 1.7", MOVE),
+    ),
+    "camera before a mirror ball": Scene(
+        "sensor",
+        5e-4,
+        NEAR,
+        LAMPLIGHT
+        + ball("ball", MIRROR, 1, MIDDLE)
+        + cube("cube", RED, 0.3, "1.1, 1, 1.7")
+        + ball("round", diffuse(BLUE), 0.4, "-1.2, 0.5, 1.5"),
+    ),
+    "cube inside a glass ball": Scene(
+        "cube",
+        1e-4,
+        TILTED,
+        DAYLIGHT + ball("ball", GLASS, 1, MIDDLE) + cube("cube", RED, 0.25, "0.15, 1, 0.1", MOVE),
+    ),
+    "glass ball before things": Scene("ball", 1e-4, TILTED, DAYLIGHT + ball("ball", GLASS, 1, MIDDLE, MOVE) + THINGS),
+}
+FIGURE = Scene(
+    "cube",
+    2e-3,
+    {"fov": 31, "eye": "0.2, 2.2, 6.2", "target": "0.15, 0.62, 0", "up": "0, 1, 0"},
+    FLOOR
+    + LAMP
+    + sky("0.5, 0.6, 0.75")
+    + shape("rectangle", "wall", '<scale value="6"/><translate z="-3"/>', diffuse("0.75, 0.62, 0.4"))
+    + ball("mirror", MIRROR, 0.9, "-0.75, 0.9, -0.4")
+    + ball("glass", GLASS, 0.42, "0.85, 0.42, 1.5")
+    + ball("round", diffuse("0.3, 0.6, 0.2"), 0.25, "-0.6, 0.25, 1.2")
+    + cube("cube", RED, 0.35, "0.6, 0.35, 0.1", MOVE)
+    + cube("other", BLUE, 0.4, "1.75, 0.4, -0.9"),
+    (192, 144),
+    6,
+)
+
+
+def ball_file(rows: int = 64, columns: int = 128) -> str:
+    """A ball of radius 1 with normals, in the format PLY."""
+    polar = np.pi * np.arange(1, rows)[:, None] / rows
+    turn = 2 * np.pi * np.arange(columns)[None] / columns
+    inner = np.stack([np.sin(polar) * np.cos(turn), np.cos(polar) + 0 * turn, np.sin(polar) * np.sin(turn)], -1)
+    points = np.concatenate([inner.reshape(-1, 3), [[0, 1, 0], [0, -1, 0]]])
+    j, k = np.arange(columns), (np.arange(columns) + 1) % columns
+    last = (rows - 2) * columns
+    top, bottom = np.full(columns, len(points) - 2), np.full(columns, len(points) - 1)
+    faces = [np.stack([top, k, j], -1), np.stack([bottom, last + j, last + k], -1)]
+    for row in range(0, last, columns):
+        a, b, c, d = row + j, row + k, row + columns + j, row + columns + k
+        faces += [np.stack([a, b, c], -1), np.stack([b, d, c], -1)]
+    triangles = np.concatenate(faces)
+    lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
+    lines += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
+    lines += [f"element face {len(triangles)}", "property list uchar int vertex_indices", "end_header"]
+    lines += [" ".join(f"{number:.9g}" for number in (*point, *point)) for point in points]
+    lines += ["3 {} {} {}".format(*face) for face in triangles]
+    return "\n".join(lines) + "\n"
+
+
+def derivative(capwalk: str, file: Path, scene: Scene, spp: int, seed: int) -> np.ndarray:
+    """capwalk's."""
+    output = file.with_suffix(".npz")
+    words = [capwalk, "gradient", file, "-p", f"{scene.moves}.translate.x", "--spp", spp, "--seed", seed]
+    done = subprocess.run(
+        [str(word) for word in [*words, "--threads", 1, "-o", output]], check=False, capture_output=True, text=True
+    )
+    if done.returncode != 0:
+        raise SystemExit(done.stderr)
+    return np.load(output)["gradient"].astype(float)
+
+
+def difference(file: Path, step: float, spp: int, seed: int) -> np.ndarray:
+    """The central difference of Mitsuba's images, with the same random numbers on both sides."""
+    sides = [mi.load_file(str(file), move=str(place)) for place in (step, -step)]
+    right, left = (np.array(mi.render(side, spp=spp, seed=seed), dtype=float) for side in sides)
+    return (right - left) / (2 * step)
+
+
+def projective(file: Path, scene: Scene, spp: int, seed: int, guiding: str = "octree") -> np.ndarray:
+    """The derivative of a shape's motion by `prb_projective`."""
+    loaded = mi.load_file(str(file))
+    params = mi.traverse(loaded)
+    key = f"{scene.moves}.vertex_positions"
+    amount = mi.Float(0)
+    dr.enable_grad(amount)
+    params[key] = dr.ravel(dr.unravel(mi.Point3f, params[key]) + mi.Vector3f(amount, 0, 0))
+    params.update()
+    integrator = mi.load_dict({"type": "prb_projective", "max_depth": scene.depth, "rr_depth": 100, "guiding": guiding})
+    image = mi.render(loaded, params, integrator=integrator, spp=spp, seed=seed, seed_grad=seed + 100_000)
+    dr.forward(amount)
+    return np.array(dr.grad(image), dtype=float)
+
+
+def variance(runs: np.ndarray) -> np.ndarray:
+    """That of the mean over the runs, of each pixel."""
+    return runs.var(axis=0, ddof=1) / len(runs)
+
+
+def around(noise: np.ndarray) -> np.ndarray:
+    """The mean of variances around each pixel: that of the pixel itself depends on what it saw."""
+    padded = np.pad(noise, ((2, 2), (2, 2), (0, 0)), mode="edge")
+    return np.lib.stride_tricks.sliding_window_view(padded, (5, 5), (0, 1)).mean(axis=(-1, -2))
+
+
+def weights(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    noise = around(variance(a) + variance(b))
+    return 1 / (noise + 1e-3 * noise.mean())
+
+
+def factor(a: np.ndarray, b: np.ndarray) -> str:
+    """The factor from one image to another, and its standard error by the jackknife over runs."""
+    weight = weights(a, b)
+
+    def of(a: np.ndarray, b: np.ndarray) -> float:
+        # Products of a run with itself would count the noise of the derivative as part of it.
+        products = np.sum(weight * a.sum(axis=0) ** 2) - np.sum(weight * a**2)
+        return float(np.sum(weight * a.mean(axis=0) * b.mean(axis=0)) * len(a) * (len(a) - 1) / products)
+
+    without = [of(np.delete(a, i, axis=0), np.delete(b, i, axis=0)) for i in range(len(a))]
+    return f"{of(a, b):.4f} ± {np.sqrt((len(a) - 1) * np.var(without)):.4f}"
+
+
+def mean_z2(a: np.ndarray, b: np.ndarray) -> str:
+    """Squared differences over their variances, both summed over the image before they are divided."""
+    weight, expected = weights(a, b), variance(a) + variance(b)
+    squares = (a.mean(axis=0) - b.mean(axis=0)) ** 2
+    mean = np.sum(weight * squares) / np.sum(weight * expected)
+    # Channels come from the same samples.
+    off = np.sum(weight * (squares - mean * expected), axis=-1)
+    return f"{mean:.2f} ± {np.sqrt(np.sum(off**2)) / np.sum(weight * expected):.2f}"
+
+
+def draw(image: np.ndarray, ours: np.ndarray, differences: np.ndarray, theirs: np.ndarray, output: Path) -> None:
+    """Five panels side by side: colours, means over the channels of derivatives, and their difference."""
+    from matplotlib import pyplot
+
+    a, b = (runs.mean(axis=-1, keepdims=True) for runs in (ours, differences))
+    error = np.sqrt(around(variance(a) + variance(b)))[..., 0]
+    means = [a.mean(axis=0)[..., 0], theirs.mean(axis=-1), b.mean(axis=0)[..., 0]]
+    most = np.percentile(np.abs(means[0]), 98.5)
+    colours = np.array(mi.Bitmap(image).convert(component_format=mi.Struct.Type.UInt8, srgb_gamma=True))
+    names = ["image", "derivative, capwalk", "derivative, Mitsuba", "differences, Mitsuba", "z, by the noise around"]
+    panels = [colours, *means, (means[0] - means[2]) / np.maximum(error, 1e-30)]
+    height, width = error.shape
+    pad, bar, title, dots = 6, 38, 16, 100
+    whole = np.array([5 * (width + pad) + 2 * bar, height + title + pad])
+    figure = pyplot.figure(figsize=tuple(whole / dots), dpi=2 * dots)
+
+    def place(left: float, wide: float) -> Any:
+        axes = figure.add_axes((left / whole[0], pad / whole[1], wide / whole[0], height / whole[1]))
+        axes.tick_params(labelsize=6, length=2, pad=1, width=0.5)
+        return axes
+
+    left = pad / 2
+    for name, panel, limit in zip(names, panels, [None, most, most, most, 4.0], strict=True):
+        axes = place(left, width)
+        axes.set(xticks=[], yticks=[])
+        axes.set_title(name, fontsize=8, loc="left", pad=3)
+        shown = axes.imshow(
+            panel, cmap=pyplot.get_cmap("RdBu_r", 33), vmin=-(limit or 1), vmax=limit, interpolation="nearest"
+        )
+        left += width + pad
+        if panel is panels[3] or panel is panels[4]:
+            figure.colorbar(shown, cax=place(left - pad + 3, 6)).outline.set_linewidth(0.5)
+            left += bar
+    figure.savefig(output, pil_kwargs={"optimize": True})
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("capwalk")
+    parser.add_argument("--scenes", nargs="*", default=list(SCENES), choices=list(SCENES), metavar="NAME")
+    parser.add_argument("--runs", type=int, default=20)
+    parser.add_argument("--spp", type=int, default=128)
+    parser.add_argument("--mitsuba-spp", type=int, default=2048)
+    parser.add_argument("--step", type=float, default=1.0)
+    parser.add_argument("--figure", type=Path)
+    chosen = parser.parse_args()
+    mi.set_variant("llvm_ad_rgb")
+    mi.set_log_level(mi.LogLevel.Error)
+    dr.set_thread_count(1)
+    seeds, spp = range(1, chosen.runs + 1), chosen.mitsuba_spp
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "ball.ply").write_text(ball_file())
+        file = Path(folder, "scene.xml")
+
+        def found(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
+            """Runs of capwalk's derivative, and of differences."""
+            file.write_text(scene.text())
+            ours = [derivative(chosen.capwalk, file, scene, chosen.spp, seed) for seed in seeds]
+            differences = [difference(file, chosen.step * scene.step, spp, seed) for seed in seeds]
+            return np.array(ours), np.array(differences)
+
+        if chosen.figure:
+            ours, differences = found(FIGURE)
+            theirs = projective(file, FIGURE, spp // 4, 1, guiding="none")
+            image = np.array(mi.render(mi.load_file(str(file)), spp=spp))
+            draw(image, ours, differences, theirs, chosen.figure)
+            return
+        print("| scene | moves | to differences | mean z² | to `prb_projective` |\n|---|---|---|---|---|")
+        for name in chosen.scenes:
+            scene = SCENES[name]
+            ours, differences = found(scene)
+            last = "-"
+            if scene.moves != "sensor":
+                theirs = np.array([projective(file, scene, spp // 4, seed) for seed in seeds])
+                last = factor(ours, theirs)
+            row = [name, scene.moves, factor(ours, differences), mean_z2(ours, differences), last]
+            print(f"| {' | '.join(row)} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
