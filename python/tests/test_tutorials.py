@@ -21,6 +21,7 @@ NEEDS = {
     "first_gradient": (),
     "pose_and_colour": ("torch",),
     "shape_from_shadow": (),
+    "shape_of_a_lens": (),
     "beside_mitsuba": ("mitsuba",),
     "on_a_cluster": ("ray",),
 }
