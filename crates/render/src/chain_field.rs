@@ -5,7 +5,7 @@
 //! largest ball around `q` has the radius
 //!
 //! ```text
-//! A(q) = min( a_0, min_i γ a_i c_i / s_i )
+//! A(q) = min( a_0, min_i a_i c_i / s_i )
 //! ```
 //!
 //! with `s_i / c_i` a guess of how much the chain magnifies: `s_i` is a constant, and `c_i` the smallest cosine
@@ -27,15 +27,9 @@ use crate::chain::{AfterLink, Bent, Link, Start, follow, next_link};
 use crate::magnification::{Magnifications, spread};
 use crate::scene_eval::{SceneEval, Warped};
 
-/// `γ`: smaller ones have less variance where the chain magnifies more than is guessed, and reach less far.
-const REACH: f64 = 1.5;
-
-/// How much less a boundary moves a direction that is as far from it as the largest ball.
-const FAR: f64 = 1.5;
-
 /// How strongly the motion of the image along an edge is damped, which moves no boundary: little of it counts where the
-/// chain changes the direction along the edge by less than the root of this part of what it does at most.
-const DAMPING: f64 = 0.01;
+/// square of what the chain does to the direction along the edge is a smaller part of the square of all it does.
+const DAMPING: f64 = 0.1;
 
 /// What is known of a chain of events from a viewpoint.
 #[derive(Clone, Copy)]
@@ -179,7 +173,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ChainSphere<'_, R, F> {
 
     /// By what the angle to a boundary after some events is multiplied.
     fn scale(&self, events: usize) -> f64 {
-        REACH / self.chain.magnifications.after(&self.start, events)
+        1.0 / self.chain.magnifications.after(&self.start, events)
     }
 
     fn spread(&self, q: Vec3, links: &[Link]) -> (Frame, Bent<Dual<2>>) {
@@ -222,9 +216,9 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ChainSphere<'_, R, F> {
         // u = K_m b_m / |K_m|² + α p, with p across K_m.
         let squared = m0 * m0 + m1 * m1;
         let p = [-m1 / squared.sqrt(), m0 / squared.sqrt()];
-        let apart =
-            FAR * (self.scale(events) * bent.cosine.value * point.angle / self.max_radius).min(1.0);
-        let all = squared + t0 * t0 + t1 * t1;
+        let scale = self.scale(events);
+        let apart = (scale * bent.cosine.value * point.angle / self.max_radius).min(1.0);
+        let all = squared + t0 * t0 + t1 * t1 + 1.0 / (scale * scale);
         let damped = squared + apart * apart * all;
         let least = [m0 / damped, m1 / damped];
         let (by_least, by_p) = (t0 * least[0] + t1 * least[1], t0 * p[0] + t1 * p[1]);
@@ -292,7 +286,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ChainSphere<'_, R, F> 
         self.chain.events.is_empty()
     }
 
-    /// Behind events, `γ / s ∇(a c)`: the point stays, and with it its direction `g`, up to the motion of `x_i`.
+    /// Behind events, `∇(a c) / s`: the point stays, and with it its direction `g`, up to the motion of `x_i`.
     fn growth(&self, q: Vec3, nearest: &Nearest<Site, Vec3>) -> Vec3 {
         let Site::Behind { events, point, .. } = nearest.site else {
             return -sphere::tangent_towards(q, nearest.point);

@@ -8,7 +8,7 @@ use crate::chain::{Bent, Link, Start, drawn_chain, follow};
 use crate::still::Still;
 
 /// How many paths are followed.
-const PATHS: u64 = 256;
+const PATHS: u64 = 1024;
 /// Keeps their random numbers apart from those of samples.
 const SEED: u64 = 0x6d61_676e_6966_7921;
 

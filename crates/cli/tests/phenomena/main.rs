@@ -58,6 +58,7 @@ phenomena! {
     glossy_floor_reflects_a_moving_ball
     hard_shadow
     hard_shadow_in_a_mirror
+    hard_shadow_in_a_mirror_ball
     hard_shadow_in_a_mirror_before_orthographic_sensor
     hard_shadow_of_a_point_light
     hard_shadow_on_a_moving_receiver
@@ -72,12 +73,15 @@ phenomena! {
     mask_silhouette
     mask_textured_leaf
     mesh_with_seams
+    mirror_ball_moves
     normal_map_texel
     object_moves_before_orthographic_sensor
     object_moves_between_two_mirrors
     object_moves_in_a_coarse_mirror
     object_moves_in_a_concave_mirror
     object_moves_in_a_curved_mirror
+    object_moves_in_a_faceted_mirror
+    object_moves_in_a_flat_and_a_curved_mirror
     object_moves_in_a_mirror_ball
     object_moves_in_a_planar_mirror
     object_moves_in_two_mirror_balls
@@ -117,6 +121,7 @@ phenomena! {
     sun_along_faces
     sun_turns
     surface_cut_by_the_near_plane
+    texture_moves_in_a_mirror_ball
     texture_texel
     textured_emitter_moves
     textured_plane_moves
