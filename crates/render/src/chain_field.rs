@@ -382,7 +382,7 @@ mod tests {
     fn what_is_closest_behind_an_event_is_that_of_brute_force() {
         let mut scene = with_mirror_ball();
         let mut second = Shape::clone(scene.shapes.last().expect("the ball"));
-        (second.mesh.positions.iter_mut()).for_each(|p| *p = *p + Vec3::new(0.7, 0.5, -0.6));
+        (second.mesh.positions.iter_mut()).for_each(|p| *p += Vec3::new(0.7, 0.5, -0.6));
         second.id = "second".into();
         scene.add_shape(second);
         let accel = Accel::new(scene);

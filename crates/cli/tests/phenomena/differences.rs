@@ -15,7 +15,6 @@ use crate::folder::{Differences, Folder, WIDE};
 use crate::methods::SIGN;
 use crate::reference::tangent;
 
-/// Where it is known well enough.
 const MEAN_Z_SQUARED: RangeInclusive<f64> = 0.8..=1.25;
 
 /// Demands that a derivative agrees with the reference.
@@ -41,11 +40,12 @@ pub fn agree(folder: &Folder, parameter: &str, asked: &Differences, reference: &
     println!("{name}: {result}, worst {:?}", result.worst.first());
     assert_eq!(result.verdict, Verdict::Right, "{name}");
     let z2 = result.mean_z_squared;
-    let is_noise = (z2 - 1.0).abs() < 2.0 * result.mean_z_squared_error;
-    assert!(
-        is_noise || MEAN_Z_SQUARED.contains(&z2),
-        "{name}: mean z² {z2}"
-    );
+    // Few pixels may have little noise by chance.
+    let least = MEAN_Z_SQUARED
+        .start()
+        .min(1.0 - 2.0 * result.mean_z_squared_error);
+    let is_noise = (least..=*MEAN_Z_SQUARED.end()).contains(&z2);
+    assert!(is_noise, "{name}: mean z² {z2}");
     let sign = result.sign;
     assert!(sign.abs() < SIGN, "{name}: systematic sign {sign}");
     let least = asked.pixels.unwrap_or((width * height) as usize / 2);
