@@ -201,7 +201,7 @@ def variance(runs: np.ndarray) -> np.ndarray:
 
 
 def around(noise: np.ndarray) -> np.ndarray:
-    """The mean of variances around each pixel: that of the pixel itself depends on what it saw."""
+    """The mean of variances in the 5 × 5 pixels around each: that of a single one depends on what it saw."""
     padded = np.pad(noise, ((2, 2), (2, 2), (0, 0)), mode="edge")
     return np.lib.stride_tricks.sliding_window_view(padded, (5, 5), (0, 1)).mean(axis=(-1, -2))
 

@@ -42,7 +42,7 @@ pub struct GradientWork<'a> {
     /// What it moves.
     wanted: Wanted,
     options: GradientOptions,
-    /// True if light of which the derivative is incomplete is left out of the image, too.
+    /// The method, chosen once.
     chosen: OnceLock<Chosen>,
     kept: KeptChoice,
     facts: Arc<MotionFacts>,

@@ -10,7 +10,7 @@
 //!
 //! with `s_i / c_i` a guess of how much the chain magnifies: `s_i` is a constant, and `c_i` the smallest cosine
 //! of a ray with the normal at its vertices. A walk needs no more than that it is continuous, and zero on the
-//! boundary alone.
+//! boundary; elsewhere it vanishes only where the image shrinks to nothing (`c_i = 0`).
 
 use std::cell::Cell;
 use std::f64::consts::PI;
@@ -28,7 +28,8 @@ use crate::magnification::{Magnifications, spread};
 use crate::scene_eval::{SceneEval, Warped};
 
 /// How strongly the motion of the image along an edge is damped, which moves no boundary: little of it counts where the
-/// square of what the chain does to the direction along the edge is a smaller part of the square of all it does.
+/// square of what the chain does to the direction along the edge is a smaller part of the square of all it does, or is
+/// guessed to do.
 const DAMPING: f64 = 0.1;
 
 /// What is known of a chain of events from a viewpoint.
