@@ -40,12 +40,7 @@ pub fn agree(folder: &Folder, parameter: &str, asked: &Differences, reference: &
     println!("{name}: {result}, worst {:?}", result.worst.first());
     assert_eq!(result.verdict, Verdict::Right, "{name}");
     let z2 = result.mean_z_squared;
-    // The error of mean z² is large where few pixels have noise.
-    let least = MEAN_Z_SQUARED
-        .start()
-        .min((1.0 - 2.0 * result.mean_z_squared_error).max(0.5));
-    let is_noise = (least..=*MEAN_Z_SQUARED.end()).contains(&z2);
-    assert!(is_noise, "{name}: mean z² {z2}");
+    assert!(MEAN_Z_SQUARED.contains(&z2), "{name}: mean z² {z2}");
     let sign = result.sign;
     assert!(sign.abs() < SIGN, "{name}: systematic sign {sign}");
     let least = asked.pixels.unwrap_or((width * height) as usize / 2);
