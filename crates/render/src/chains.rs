@@ -15,8 +15,6 @@ use crate::magnification::Magnifications;
 use crate::plan::EMITTER_NUMBERS;
 use crate::radiance::{Shown, SpecularChain};
 use crate::scene_eval::SceneEval;
-use crate::shading::{add_lobes, black_vertex_at};
-use crate::surface::surface_at;
 use crate::tracer::Tracer;
 use crate::vertex::Vertex;
 
@@ -60,15 +58,9 @@ impl Tracer<'_> {
         let (mut ahead, mut is_missed) = (Ahead::default(), false);
         let mut throughput = Rgb::splat(1.0);
         for depth in first.. {
-            let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
+            let Some(vertex) = self.path_vertex(eval, ray, hit, depth, &mut chain) else {
                 break;
             };
-            let surface = surface_at(eval, accel, &found, ray[0], ray[1]);
-            let mut vertex = black_vertex_at(&surface, ray[1]);
-            if !add_lobes(eval, accel, &surface, &mut vertex) {
-                break;
-            }
-            chain = chain.at(accel.flat_events(&found));
             if is_missed && vertex.bsdf.has_smooth() {
                 ahead.note();
             }

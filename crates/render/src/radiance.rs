@@ -201,6 +201,26 @@ impl Tracer<'_> {
         self.accel.first_hit_within(&bounded_ray(ray))
     }
 
+    /// The vertex of a path of number `depth`, where a ray hits a surface that scatters light, if paths so long are
+    /// sampled; the chain arrives there.
+    pub(crate) fn path_vertex<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        ray: [Vec3<R>; 2],
+        hit: Option<Hit>,
+        depth: u32,
+        chain: &mut SpecularChain,
+    ) -> Option<Vertex<R>> {
+        let hit = hit.filter(|_| self.plan.reaches(depth + 2))?;
+        let surface = surface_at(eval, self.accel, &hit, ray[0], ray[1]);
+        let mut vertex = black_vertex_at(&surface, ray[1]);
+        if !add_lobes(eval, self.accel, &surface, &mut vertex) {
+            return None;
+        }
+        *chain = chain.at(self.accel.flat_events(&hit));
+        Some(vertex)
+    }
+
     /// A sample of the radiance that comes back along a moving ray, given by its origin and its
     /// direction, from the surface that it hits, the vertex of a path of number `first`, less what
     /// that emits. `chain` are the specular events since the direction was last warped.
@@ -214,7 +234,7 @@ impl Tracer<'_> {
         mut shown: Shown,
         draw: Draw,
     ) -> Rgb<R> {
-        let (accel, plan) = (self.accel, &self.plan);
+        let plan = &self.plan;
         // Specular events since the direction was chosen.
         let mut events = 0;
         // Radiance collected so far.
@@ -224,16 +244,9 @@ impl Tracer<'_> {
         // True behind a specular event with silhouettes that no field has.
         let mut is_missed = false;
         for depth in first.. {
-            // The path goes on from a surface that is hit, if paths so long are sampled.
-            let Some(found) = hit.filter(|_| plan.reaches(depth + 2)) else {
+            let Some(vertex) = self.path_vertex(eval, ray, hit, depth, &mut chain) else {
                 break;
             };
-            let surface = surface_at(eval, accel, &found, ray[0], ray[1]);
-            let mut vertex = black_vertex_at(&surface, ray[1]);
-            if !add_lobes(eval, accel, &surface, &mut vertex) {
-                break;
-            }
-            chain = chain.at(accel.flat_events(&found));
             let arrival = Arrival {
                 shown,
                 events,
