@@ -9,7 +9,8 @@ same files. Prints a table in Markdown, from N runs of each with random numbers 
 factors from capwalk's derivative to differences of Mitsuba's `path` and to the derivative of
 `prb_projective`, which gets a quarter of the samples, and the mean z² between derivative and
 differences. The steps are those of the scenes, times H. With `--figure`, the scene `FIGURE` is drawn
-instead, with one run of `prb_projective` without guiding; this needs the package `matplotlib`."""
+instead and its factor to differences printed, with one run of `prb_projective` without guiding; this
+needs the package `matplotlib`."""
 
 from __future__ import annotations
 
@@ -300,6 +301,7 @@ def main() -> None:
             theirs = projective(file, FIGURE, spp // 4, 1, guiding="none")
             image = np.array(mi.render(mi.load_file(str(file)), spp=spp))
             draw(image, ours, differences, theirs, chosen.figure)
+            print(f"factor to differences: {factor(ours, differences)}")
             return
         print("| scene | moves | to differences | mean z² | to `prb_projective` |\n|---|---|---|---|---|")
         for name in chosen.scenes:
