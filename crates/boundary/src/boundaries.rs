@@ -19,7 +19,7 @@ use crate::material::is_purely_specular;
 use crate::shading::ShadingDiscontinuities;
 use crate::shadow_line::{ShadowLine, shadow_lines};
 use crate::texture_line::texture_lines;
-use crate::viewpoint::{CREASED, EMITTED, ROUND, SEEN};
+use crate::viewpoint::{CREASED, EMITTED, ROUND, SEEN, SMOOTH};
 use crate::window::AreaEmitter;
 
 /// The edges of emitters with at most this many have a term of their own (METHOD 3); those
@@ -330,8 +330,11 @@ impl Listed {
                 return Err(Halted);
             }
             let discontinuities = ShadingDiscontinuities::new(scene, shape);
-            let is_round =
-                shape.normals.per_vertex().is_some() && is_purely_specular(scene, shape.bsdf);
+            let between_like_faces = match shape.normals.per_vertex() {
+                Some(_) if is_purely_specular(scene, shape.bsdf) => ROUND,
+                Some(_) => SMOOTH,
+                None => CREASED,
+            };
             let mut own = topology::edges_with(&shape.mesh, |faces| discontinuities.differs(faces));
             let is_explicit = shape
                 .emitter
@@ -343,12 +346,14 @@ impl Listed {
                 }
             }));
             for edge in &mut own {
-                let is_round = match edge.sides {
-                    Sides::Between { faces, .. } => is_round && !discontinuities.differs(faces),
-                    Sides::Open => false,
+                let own = match edge.sides {
+                    Sides::Between { faces, .. } if !discontinuities.differs(faces) => {
+                        between_like_faces
+                    }
+                    _ => CREASED,
                 };
                 shift(edge, first_vertex, first_face);
-                edge.groups = SEEN | if is_round { ROUND } else { CREASED };
+                edge.groups = SEEN | own;
                 if !is_explicit {
                     edge.groups |= EMITTED;
                 }

@@ -10,11 +10,13 @@ pub const SEEN: u8 = 1;
 /// few edges, which have a term of their own (METHOD 3).
 pub const EMITTED: u8 = 2;
 
-/// The group of those edges of [`SEEN`] that bound light also where both of their faces are seen. Mirrors and glass
-/// with interpolated normals show no other edges than silhouettes.
+/// The group of those edges of [`SEEN`] that bound all light also where both of their faces are seen.
 pub const CREASED: u8 = 4;
-/// The group of all others of [`SEEN`].
-pub const ROUND: u8 = 8;
+/// The group of those between faces of smooth meshes, whose normals are interpolated. Where both faces are seen,
+/// they bound only what is scattered there: the small shadow of a face on its neighbours' shading ends at them.
+pub const SMOOTH: u8 = 8;
+/// The group of those between faces of smooth meshes that scatter nothing, such as mirrors and glass.
+pub const ROUND: u8 = 16;
 
 /// The centre of a velocity field: the camera or a shading point.
 #[derive(Clone, Copy, Debug)]

@@ -12,7 +12,7 @@ use crate::boundary_sample::BoundarySample;
 use crate::draw::Numbers;
 use crate::field::Field;
 use crate::reflected::ReflectedSphere;
-use crate::viewpoint::{CREASED, ROUND, Viewpoint, Visibility};
+use crate::viewpoint::{CREASED, ROUND, SMOOTH, Viewpoint, Visibility};
 
 /// A sample of the field `u(q)` and its divergence `div u(q)`: boundary points with the
 /// weights of their velocities in both.
@@ -94,21 +94,29 @@ pub fn direct_sphere<'e, R: Real>(
     }
 }
 
-/// Which edges bound light that mirrors and glass show.
-pub const SEEN_BY_CHAINS: [(u8, EdgeSelection); 2] = [
-    (CREASED, EdgeSelection::All),
-    (ROUND, EdgeSelection::Silhouettes),
-];
+/// Which edges bound light of a chain of specular events that are seen from one of its vertices; the `last` is where
+/// no further event follows, and light comes that is scattered or emitted.
+pub const fn seen_by_chains(last: bool) -> [(u8, EdgeSelection); 2] {
+    let (all, silhouettes) = match last {
+        true => (CREASED | SMOOTH, ROUND),
+        false => (CREASED, SMOOTH | ROUND),
+    };
+    [
+        (all, EdgeSelection::All),
+        (silhouettes, EdgeSelection::Silhouettes),
+    ]
+}
 
 impl Field<'_> {
     /// The boundary point closest to a direction, nearer than `limit` radians, that is seen from a point of a
-    /// specular surface with this face normal. The face's own edges do not count: they are seen only where the
-    /// direction is in the plane of the face.
+    /// specular surface with this face normal, the `last` of its chain or not. The face's own edges do not count: they
+    /// are seen only where the direction is in the plane of the face.
     pub fn closest_behind(
         &self,
         position: Vec3,
         face_normal: Vec3,
         direction: Vec3,
+        last: bool,
         mut limit: f64,
     ) -> Option<SilhouettePoint> {
         let viewpoint = Viewpoint::towards_surfaces(position, face_normal, 0);
@@ -117,7 +125,7 @@ impl Field<'_> {
                 && (self.accel).surface_sees(position, point.direction, point.distance)
         };
         let mut found = None;
-        for (groups, edges) in SEEN_BY_CHAINS {
+        for (groups, edges) in seen_by_chains(last) {
             let query = ConeQuery {
                 apex: position,
                 axis: direction,

@@ -16,7 +16,7 @@ use std::cell::Cell;
 use std::f64::consts::PI;
 
 use capwalk_boundary::{
-    BoundarySample, Field, Numbers, SEEN_BY_CHAINS, Viewpoint, Warp, direct_sphere,
+    BoundarySample, Field, Numbers, Viewpoint, Warp, direct_sphere, seen_by_chains,
 };
 use capwalk_geometry::{Ray, SilhouettePoint};
 use capwalk_math::{Dual, Frame, Real, Vec3, sphere};
@@ -132,7 +132,7 @@ impl<R: Real> ChainField<'_, R> {
 
     /// The same viewpoint, from which only those edges are seen that bound such light.
     fn viewpoints(&self) -> [Viewpoint<R>; 2] {
-        SEEN_BY_CHAINS.map(|(group, selection)| Viewpoint {
+        seen_by_chains(self.events.is_empty()).map(|(group, selection)| Viewpoint {
             group,
             selection,
             ..*self.viewpoint
@@ -144,11 +144,11 @@ impl<R: Real> ChainField<'_, R> {
         viewpoints: &'s [Viewpoint<R>; 2],
         settings: &WalkSettings,
     ) -> ChainSphere<'s, R, impl Fn(&SilhouettePoint) -> bool> {
-        let [creases, round] = viewpoints;
+        let [all, silhouettes] = viewpoints;
         ChainSphere {
             chain: self,
             start: self.start.value(),
-            direct: [creases, round].map(|viewpoint| direct_sphere(self.field, viewpoint)),
+            direct: [all, silhouettes].map(|viewpoint| direct_sphere(self.field, viewpoint)),
             queries: Cell::new(0),
             max_radius: settings.max_radius,
         }
@@ -258,7 +258,8 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ChainSphere<'_, R, F> 
             let bound = (best.map_or(limit, |best| best.distance) / scale).min(PI);
             let [x, r] = after.ray;
             queries += 1;
-            let found = (self.chain.field).closest_behind(x, after.face_normal, r, bound);
+            let last = i + 1 == self.chain.events.len();
+            let found = (self.chain.field).closest_behind(x, after.face_normal, r, last, bound);
             if let Some(point) = found {
                 best = Some(Nearest {
                     site: Site::Behind {
@@ -382,46 +383,59 @@ mod tests {
     #[test]
     fn what_is_closest_behind_an_event_is_that_of_brute_force() {
         let mut scene = with_mirror_ball();
-        let mut second = Shape::clone(scene.shapes.last().expect("the ball"));
-        (second.mesh.positions.iter_mut()).for_each(|p| *p += Vec3::new(0.7, 0.5, -0.6));
-        second.id = "second".into();
-        scene.add_shape(second);
+        // Another one, and one that scatters light.
+        let ball = Shape::clone(scene.shapes.last().expect("the ball"));
+        let places = [Vec3::new(0.7, 0.5, -0.6), Vec3::new(-0.7, 0.5, -0.6)];
+        for ((id, bsdf), by) in [("mirror 2", ball.bsdf), ("paint", BsdfId(0))]
+            .into_iter()
+            .zip(places)
+        {
+            let mut moved = Shape {
+                id: id.into(),
+                bsdf,
+                ..ball.clone()
+            };
+            (moved.mesh.positions.iter_mut()).for_each(|p| *p += by);
+            scene.add_shape(moved);
+        }
         let accel = Accel::new(scene);
         let boundaries = Boundaries::new(&accel);
         let field = Field::new(&accel, &boundaries, Method::Walk);
         let event = Event::Reflect;
-        let mut found = [0, 0];
-        for q in directions(&accel) {
+        // Of how many directions the closest one is a silhouette of a smooth mesh or not, where that is all it can be.
+        let mut found = [[0, 0], [0, 0]];
+        for (q, last) in directions(&accel).flat_map(|q| [(q, false), (q, true)]) {
             let ray = Start::Camera(accel.view).bounded_ray(&accel, q);
             let Some(after) = next_link(&accel, &ray, event) else {
                 continue;
             };
             let [x, r] = after.ray;
             let angle = |edge: &Edge| {
-                let [creases, round] = SEEN_BY_CHAINS.map(|(group, _)| edge.groups & group != 0);
+                let [all, silhouettes] =
+                    seen_by_chains(last).map(|(group, _)| edge.groups & group != 0);
                 let ends = edge.vertices.map(|i| boundaries.position(i));
                 let [a, b] = ends.map(|p| p - x);
                 let closest = closest_direction(a, b, r)?;
-                let counts = creases || round && edge.is_silhouette(&accel.mesh, x);
+                let counts = all || silhouettes && edge.is_silhouette(&accel.mesh, x);
                 let is_own = field.in_horizon(x, edge.vertices, after.face_normal);
                 let seen = accel.first_hit(x, closest.direction);
                 let is_seen = seen.is_none_or(|hit| hit.t > closest.distance - 1e-7);
-                (counts && !is_own && is_seen).then_some((closest.angle, round))
+                (counts && !is_own && is_seen).then_some((closest.angle, silhouettes))
             };
             let edges = boundaries.edges().iter();
             let expected = edges
                 .filter_map(angle)
                 .min_by(|(a, _), (b, _)| a.total_cmp(b));
-            let point = field.closest_behind(x, after.face_normal, r, PI);
-            let (point, (angle, is_round)) = point.zip(expected).expect("a room has edges");
+            let point = field.closest_behind(x, after.face_normal, r, last, PI);
+            let (point, (angle, is_silhouette)) = point.zip(expected).expect("a room has edges");
             assert!(
                 (point.angle - angle).abs() < 1e-12,
                 "{q:?}: {}, {angle}",
                 point.angle
             );
-            found[usize::from(is_round)] += 1;
+            found[usize::from(last)][usize::from(is_silhouette)] += 1;
         }
-        assert!(found.iter().all(|&count| count > 5), "{found:?}");
+        assert!(found.iter().flatten().all(|&count| count > 5), "{found:?}");
     }
 
     /// The radius grows as it says: along each of two tangents, by central differences where the same boundary point
