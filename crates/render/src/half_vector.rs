@@ -84,9 +84,15 @@ impl<'v, R: Real> Following<'v, R> {
         (self.normal, self.facets.map(|facets| facets.viewer))
     }
 
+    /// The facets, where the normal or the viewer moves: else the half vector stays, as all directions do.
+    fn moving_facets(&self) -> Option<&Facets<'v, R>> {
+        let facets = self.facets.as_ref();
+        facets.filter(|facets| !self.normal.is_constant() || !facets.viewer.is_constant())
+    }
+
     /// A unit direction that moves along the field, and the field's divergence.
     pub fn warped(&self, q: Vec3) -> Warped<R> {
-        let Some(facets) = &self.facets else {
+        let Some(facets) = self.moving_facets() else {
             return Warped::turning(q, self.normal);
         };
         let [x, y, z] = facets.frame.to_local(q).to_array();
@@ -110,7 +116,7 @@ impl<'v, R: Real> Following<'v, R> {
 
     /// The direction of [`Self::warped`] alone.
     pub fn direction(&self, q: Vec3) -> Vec3<R> {
-        let Some(facets) = &self.facets else {
+        let Some(facets) = self.moving_facets() else {
             return Warped::turning(q, self.normal).direction;
         };
         let share = facets.share(facets.frame.to_local(q));
@@ -162,11 +168,11 @@ struct Parts<R> {
 }
 
 impl<'v, R: Real> Facets<'v, R> {
-    /// Those of a vertex; `None` if it has none, if it transmits light, and if neither normal nor viewer moves.
+    /// Those of a vertex; `None` if it has none, and if it transmits light. Whether they move does not matter
+    /// here: sampling weights must not know it where no velocity is known.
     fn of(vertex: &'v Vertex<R>, narrowness: f64) -> Option<Self> {
         let has_facets = vertex.bsdf.has_facets() && !vertex.transmits;
-        let moves = || !vertex.frame.n.is_constant() || !vertex.wi.is_constant();
-        (has_facets && moves()).then(|| {
+        has_facets.then(|| {
             // Facets that are seen from behind reflect what they would to the mirrored viewer.
             let Vec3 { x, y, z } = vertex.wi;
             let wi = Vec3::new(x, y, z.abs());

@@ -125,7 +125,7 @@ impl<R: Real, W: SceneEval<R>> ShadingPoint<'_, R, W> {
             let against = change.velocity - turning.rotation.cross(v);
             let image = |x: Vec3| n * (2.0 * n.dot(x)) - x;
             turning.rotation += image(v).cross(image(against));
-            turning.guessed += against.length() + change.spread;
+            turning.guessed += against.length() + change.spread.max(motion.spread);
         }
         turning
     }
