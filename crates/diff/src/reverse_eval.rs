@@ -235,8 +235,9 @@ impl<'t> SceneEval<Var<'t>> for Reverse<'_, 't> {
         likely_motion_of_viewpoint(!vector.is_constant())
     }
     #[inline]
-    fn is_still(&self, _: &Viewpoint<Var<'t>>) -> bool {
-        !self.wanted.geometry()
+    fn is_still(&self, viewpoint: &Viewpoint<Var<'t>>) -> bool {
+        // Behind glass, viewpoints move also with its refractive index.
+        !self.wanted.geometry() && viewpoint.vectors().iter().all(|v| v.is_constant())
     }
     #[inline]
     fn moves(&self) -> bool {

@@ -90,8 +90,11 @@ impl<R: Real> ChainField<'_, R> {
                 continue;
             };
             let covector = Vec3::constant(sample.divergence_covector(term));
-            warped.direction +=
-                (velocity * R::constant(term.weight)).reject_from(Vec3::constant(q));
+            // Some have a share of the divergence alone, and the direction does not depend on them.
+            if term.weight != 0.0 {
+                warped.direction +=
+                    (velocity * R::constant(term.weight)).reject_from(Vec3::constant(q));
+            }
             warped.jacobian = warped.jacobian + covector.dot(velocity);
             warped.near_boundary = true;
         }

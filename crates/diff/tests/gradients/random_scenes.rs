@@ -431,12 +431,12 @@ struct Tally {
 /// What is counted, how often it happened, and the largest part of all scenes.
 type Share = (&'static str, fn(&Tally) -> u32, f64);
 
-/// Largest shares of the scenes that may go without a comparison. Among seeds 1 to
-/// 4172, 56.1 % were refused, with a standard error of 2.9 % for 300 seeds, and none
+/// Largest shares of the scenes that may go without a comparison. Among seeds 300000 to
+/// 330230, 20.0 % were refused, with a standard error of 2.3 % for 300 seeds, and none
 /// was anything else that prevents a comparison.
 const SHARES: [Share; 4] = [
     ("invalid", |tally| tally.invalid, 0.01),
-    ("refused", |tally| tally.refused, 0.68),
+    ("refused", |tally| tally.refused, 0.3),
     ("refused in reverse", |tally| tally.refused_in_reverse, 0.01),
     ("inconclusive", |tally| tally.inconclusive, 0.01),
 ];
@@ -520,10 +520,19 @@ fn run(seed: u64, tally: &mut Tally) {
 /// Scenes in which the modes once took different samples.
 #[test]
 fn scenes_that_once_disagreed() {
-    // What moved had a share of the divergence alone: the direction did not move.
+    let seeds = [
+        // What moved had a share of the divergence alone: the direction did not move.
+        20262235, 219879,
+        // Sampling weights knew which normals stay where a thing is shifted.
+        92981,
+        // A refractive index alone moves what is seen through glass: shadows there were missed in reverse mode.
+        202345,
+    ];
     let mut tally = Tally::default();
-    run(20262235, &mut tally);
-    assert_eq!(tally.agreeing, 1, "{tally:?}");
+    for seed in seeds {
+        run(seed, &mut tally);
+    }
+    assert_eq!(tally.agreeing, tally.scenes, "{tally:?}");
 }
 
 #[test]
