@@ -78,6 +78,7 @@ phenomena! {
     object_moves_before_orthographic_sensor
     object_moves_between_two_mirrors
     object_moves_in_a_coarse_mirror
+    object_moves_in_a_coated_ball
     object_moves_in_a_concave_mirror
     object_moves_in_a_curved_mirror
     object_moves_in_a_faceted_mirror
