@@ -10,6 +10,7 @@ Images are arrays (height, width, 3) of linear RGB in double precision. Lengths 
 units, angles of parameters in radians.
 """
 
+from . import cameras
 from ._capwalk import Scene
 from ._dictionary import load_dict
 from ._functions import backward, check, gradient, load_file, load_string, render
@@ -57,6 +58,7 @@ __all__ = [
     "UnreliableWarning",
     "WorkerError",
     "backward",
+    "cameras",
     "check",
     "gradient",
     "load_dict",
