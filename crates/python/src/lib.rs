@@ -6,6 +6,7 @@ mod arrays;
 mod direction;
 mod errors;
 mod image;
+mod mesh;
 mod parts;
 mod results;
 mod scene;
@@ -18,7 +19,9 @@ mod work;
 #[pyo3::pymodule]
 mod _capwalk {
     #[pymodule_export]
-    use crate::image::{png, write_images};
+    use crate::image::{png, read_image, write_images};
+    #[pymodule_export]
+    use crate::mesh::{read_mesh, write_mesh};
     #[pymodule_export]
     use crate::parts::{choose, merge, part};
     #[pymodule_export]
