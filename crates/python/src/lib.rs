@@ -2,6 +2,7 @@
 //! derivatives over NumPy arrays, on top of the crate `capwalk`. Users see the package around it,
 //! `python/capwalk`, which checks arguments and has the documentation.
 
+mod aov;
 mod arrays;
 mod direction;
 mod errors;
