@@ -100,6 +100,12 @@ def test_meshes_in_gltf_files(tmp_path: Path) -> None:
         assert np.array_equal(mesh["positions"], [[-4, -4, 2], [4, -4, 2], [0, 8, 2]])
         assert np.array_equal(mesh["faces"], [[0, 1, 2]])
     assert mesh["face_normals"] is True
+    text = file.read_bytes()
+    text += b" " * (-len(text) % 4)
+    sizes = struct.pack("<IIII", 2, 20 + len(text), len(text), 0x4E4F534A)
+    file.with_suffix(".glb").write_bytes(b"glTF" + sizes + text)
+    binary = cw.load_mesh(file.with_suffix(".glb"), node=1)
+    assert np.array_equal(binary["positions"], mesh["positions"]) and binary["face_normals"]
     plugin = {"type": "gltf", "filename": str(file), "node": 1}
     white = {"bsdf": {"type": "twosided", "inner": {"type": "diffuse"}}}
     image, same = (cw.render(lit({**shape, **white}), spp=4).value for shape in (mesh, plugin))
