@@ -10,8 +10,10 @@ Images are arrays (height, width, 3) of linear RGB in double precision. Lengths 
 units, angles of parameters in radians.
 """
 
+from . import cameras
 from ._capwalk import Scene
 from ._dictionary import load_dict
+from ._files import load_image, load_mesh, save_mesh
 from ._functions import backward, check, gradient, load_file, load_string, render
 from ._method import Method
 from ._parameters import SceneParameters, traverse
@@ -26,6 +28,7 @@ from .errors import (
     Error,
     ImageError,
     LoadError,
+    MeshError,
     ParameterError,
     Refused,
     SceneWarning,
@@ -47,6 +50,7 @@ __all__ = [
     "ImageError",
     "LargeSteps",
     "LoadError",
+    "MeshError",
     "Method",
     "ParameterError",
     "Refused",
@@ -57,11 +61,15 @@ __all__ = [
     "UnreliableWarning",
     "WorkerError",
     "backward",
+    "cameras",
     "check",
     "gradient",
     "load_dict",
     "load_file",
+    "load_image",
+    "load_mesh",
     "load_string",
     "render",
+    "save_mesh",
     "traverse",
 ]

@@ -6,7 +6,7 @@ import difflib
 import json
 import os
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from numbers import Integral, Real
 from pathlib import Path
 from typing import Any
@@ -81,9 +81,9 @@ def load_dict(dictionary: Mapping[str, object], *, folder: str | os.PathLike[str
     * textures of the type ``"bitmap"`` and emitters of the type ``"envmap"`` may have, instead of
       a ``"filename"``, a ``"bitmap"``, an array (height, width) or (height, width, channels) whose
       8-bit numbers are decoded from sRGB unless it is ``"raw"``, or ``"data"``, which are linear;
-    * shapes of the type ``"mesh"`` have ``"positions"``, (V, 3), world units, ``"faces"``, (F, 3),
-      and perhaps ``"normals"``, (V, 3), ``"uvs"``, (V, 2), and attributes ``"vertex_..."``,
-      (V, 1) or (V, 3), and ``"face_..."``, (F, 1) or (F, 3).
+    * shapes of the type ``"mesh"``, such as :func:`load_mesh` gives, have ``"positions"``, (V, 3),
+      world units, ``"faces"``, (F, 3), and perhaps ``"normals"``, (V, 3), ``"uvs"``, (V, 2), and
+      attributes ``"vertex_..."``, (V, 1) or (V, 3), and ``"face_..."``, (F, 1) or (F, 3).
 
     Properties that have no effect, or are read as something else, give a :class:`SceneWarning`.
 
@@ -231,21 +231,9 @@ class _Writer:
 
     def _mesh(self, entries: list[_Entry], place: str) -> list[_Entry]:
         """Writes the arrays of a mesh to a file."""
-        arrays = {name: (value, where) for name, value, where in entries if _is_of_mesh(name)}
-        for name in ("positions", "faces"):
-            if name not in arrays:
-                raise _error(place, f"has no {name}", f'add "{name}", an array (n, 3)')
-        read = {name: _rows(name, *arrays[name]) for name in ("positions", "faces")}
-        vertices, faces = len(read["positions"]), read["faces"]
-        if (faces < 0).any() or (faces >= vertices).any() or (faces % 1 != 0).any():
-            expected = f"expected whole numbers from 0 to {vertices - 1}"
-            raise _error(arrays["faces"][1], "names other vertices than there are", expected)
-        for name, (value, where) in arrays.items():
-            count = len(faces) if name.startswith("face") else vertices
-            read[name] = _rows(name, value, where, count)
+        arrays, faces, kept = mesh_arrays(entries, place)
         file = self._file("ply")
-        _write_ply(file, read)
-        kept = [entry for entry in entries if entry[0] not in arrays]
+        _capwalk.write_mesh(str(file), arrays, faces)
         return [("filename", str(file), place), *kept]
 
     def _bitmap(self, entries: list[_Entry], place: str) -> list[_Entry]:
@@ -272,6 +260,27 @@ class _Writer:
 
 # Numbers in a row, where an array is no attribute.
 _WIDTHS = {"positions": (3,), "faces": (3,), "normals": (3,), "uvs": (2,)}
+
+
+def mesh_arrays(
+    entries: Sequence[_Entry], place: str
+) -> tuple[list[tuple[str, Array]], NDArray[np.uint32], list[_Entry]]:
+    """The arrays of a mesh by their names, its faces, and the entries that are none of them."""
+    arrays = {name: (value, where) for name, value, where in entries if _is_of_mesh(name)}
+    for name in ("positions", "faces"):
+        if name not in arrays:
+            raise _error(place, f"has no {name}", f'add "{name}", an array (n, 3)')
+    read = {name: _rows(name, *arrays[name]) for name in ("positions", "faces")}
+    vertices, faces = len(read["positions"]), read["faces"]
+    if (faces < 0).any() or (faces >= vertices).any() or (faces % 1 != 0).any():
+        expected = f"expected whole numbers from 0 to {vertices - 1}"
+        raise _error(arrays["faces"][1], "names other vertices than there are", expected)
+    for name, (value, where) in arrays.items():
+        count = len(faces) if name.startswith("face") else vertices
+        read[name] = _rows(name, value, where, count)
+    kept = [entry for entry in entries if entry[0] not in arrays]
+    indices = read.pop("faces").astype(np.uint32)
+    return list(read.items()), indices, kept
 
 
 def _is_of_mesh(name: str) -> bool:
@@ -384,52 +393,6 @@ def _texels(value: object, place: str, *, raw: bool) -> Array:
     # Two channels are grey and opacity, four are a colour and opacity, which has no effect.
     colours = numbers[..., :3] if numbers.shape[2] > 2 else numbers[..., :1]
     return np.ascontiguousarray(np.broadcast_to(colours, (*colours.shape[:2], 3)))
-
-
-def _ply_names(name: str, width: int) -> list[str]:
-    """Properties that are read as the array with this name."""
-    known = {"positions": ["x", "y", "z"], "normals": ["nx", "ny", "nz"], "uvs": ["u", "v"]}
-    if name in known:
-        return known[name]
-    _, _, rest = name.partition("_")
-    if rest == "color" and width == 3:
-        return ["r", "g", "b"]
-    if rest.endswith("_color"):
-        return [f"{rest.removesuffix('_color')}_{c}" for c in "rgb"[:width]]
-    return [f"{rest}_{c}" for c in ("xyz" if width == 3 else "0")]
-
-
-def _write_ply(file: Path, arrays: Mapping[str, Array]) -> None:
-    """Writes the arrays of a mesh as a binary file in double precision."""
-    faces = arrays["faces"]
-    of_faces = {name: array for name, array in arrays.items() if name.startswith("face_")}
-    of_vertices = {
-        name: array for name, array in arrays.items() if name not in ("faces", *of_faces)
-    }
-
-    def properties(columns: Mapping[str, Array]) -> list[str]:
-        names = (name for key, rows in columns.items() for name in _ply_names(key, rows.shape[1]))
-        return [f"property double {name}" for name in names]
-
-    header = [
-        "ply",
-        "format binary_little_endian 1.0",
-        f"element vertex {len(arrays['positions'])}",
-        *properties(of_vertices),
-        f"element face {len(faces)}",
-        "property list uchar int vertex_indices",
-        *properties(of_faces),
-        "end_header\n",
-    ]
-    attributes = np.hstack([np.empty((len(faces), 0)), *of_faces.values()])
-    # The number of corners, three, is in front of each face.
-    fields = [("count", "u1"), ("corners", "<i4", 3), ("attributes", "<f8", attributes.shape[1:])]
-    rows = np.empty(len(faces), dtype=fields)
-    rows["count"], rows["corners"], rows["attributes"] = 3, faces, attributes
-    with file.open("wb") as out:
-        out.write("\n".join(header).encode())
-        out.write(np.hstack(list(of_vertices.values())).astype("<f8").tobytes())
-        out.write(rows.tobytes())
 
 
 def _tag(

@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from functools import reduce
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -14,7 +15,15 @@ import numpy as np
 from . import _capwalk, _functions
 from ._method import Method
 from ._numbers import Array
-from ._options import LARGEST_COUNT, LARGEST_SEED, Options, check_names, checked, integer
+from ._options import (
+    LARGEST_COUNT,
+    LARGEST_SEED,
+    Options,
+    check_names,
+    checked,
+    integer,
+    sensor_numbers,
+)
 from ._parameters import check_apart
 from .errors import ArgumentError, ParameterError, Refused
 from .options import FunctionOptions, MethodOptions, Unpack
@@ -60,8 +69,8 @@ class _Kept:
     revision: int
     was: Scene
     """The scene at this revision; nobody changes it."""
-    spare: dict[tuple[int, str | None], list[_Copy]] = field(default_factory=dict)
-    """Copies that nobody is using, by the view that they are ready for."""
+    spare: dict[str | None, list[_Copy]] = field(default_factory=dict)
+    """Copies that nobody is using, by what they show. Sensors take turns with them."""
     methods: dict[tuple[Options, tuple[int, ...], tuple[str, ...]], Method | None] = field(
         default_factory=dict
     )
@@ -73,7 +82,8 @@ _KEPT: WeakKeyDictionary[Scene, _Kept] = WeakKeyDictionary()
 
 
 class Work:
-    """The image of a scene as a function of some of its arrays, and its derivatives.
+    """The image of a scene as a function of some of its arrays, and its derivatives; or the images
+    of several views of it.
 
     The scene counts as it was when this was made, and stays as it is. What is done is done on
     copies of it, which are kept and refitted. Every call has one for itself, so that none waits
@@ -89,38 +99,103 @@ class Work:
         **options: Unpack[FunctionOptions],
     ) -> None:
         check_names("render", FunctionOptions, options)
-        asked = checked(scene, options)
-        spp_grad = options.get("spp_grad")
-        spp_grad = asked.spp if spp_grad is None else integer("spp_grad", spp_grad, 1, LARGEST_COUNT)
-        aov, of_method = asked.aov, MethodOptions.__annotations__
-        given: dict[str, Any] = {**options, "sensor": asked.sensor}
+        given: dict[str, Any] = {**options}
+        views = given.pop("views", None)
+        if views is None:
+            asked = [checked(scene, given)]
+        elif "sensor" in given:
+            raise ArgumentError("both sensor and views are given; keep one of them")
+        else:
+            numbers = sensor_numbers(scene, "views", views)
+            asked = [checked(scene, {**given, "sensor": number}) for number in numbers]
+        kept = _kept(scene)
+        self._arrays = {name: _array(scene, kept.arrays, name) for name in shapes}
+        for name, shape in shapes.items():
+            _check_shape(name, self._arrays[name].shape, shape)
+        _check_apart(self._arrays)
+        self._views = [_View(kept, self._arrays, of_view, given) for of_view in asked]
+        self._is_one = views is None
+        self.seed = asked[0].seed
+        """The scene's own."""
+        shape = _common_shape(self._views)
+        self.image_shape = shape if self._is_one else (len(self._views), *shape)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The arrays, in the order of the values."""
+        return tuple(self._arrays)
+
+    def image(self, seed: int, values: Sequence[Array]) -> Array:
+        """The image, (height, width, 3), or the images of the views, (views, height, width, 3)."""
+        return self._stacked([view.image(own, values) for view, own in self._seeded(seed)])
+
+    def push(
+        self,
+        seed: int,
+        values: Sequence[Array],
+        moving: Sequence[bool],
+        velocities: Sequence[Array],
+    ) -> Array:
+        """The derivative of what :meth:`image` gives, in its shape, while some values move."""
+        return self._stacked(
+            [view.push(own, values, moving, velocities) for view, own in self._seeded(seed)]
+        )
+
+    def pull(
+        self, seed: int, values: Sequence[Array], wanted: Sequence[bool], adjoint: Array
+    ) -> list[Array]:
+        """The gradients of ``(adjoint * image).sum()`` with respect to some values, each in the
+        shape of its value. The transpose of :meth:`push`."""
+        adjoints = [adjoint] if self._is_one else adjoint
+        of_views = [
+            view.pull(own, values, wanted, of_view)
+            for (view, own), of_view in zip(self._seeded(seed), adjoints)
+        ]
+        # In the order of the views, on which the rounding depends. Sums of numbers are no arrays.
+        return [np.asarray(reduce(np.add, of_value)) for of_value in zip(*of_views)]
+
+    def _seeded(self, seed: int) -> Iterator[tuple[_View, int]]:
+        """The views with their seeds; the first has this one."""
+        for i, view in enumerate(self._views):
+            yield view, _capwalk.view_seed(seed, i)
+
+    def _stacked(self, images: list[Array]) -> Array:
+        return images[0] if self._is_one else np.stack(images)
+
+
+class _View:
+    """The image of one sensor, and its derivatives."""
+
+    def __init__(
+        self,
+        kept: _Kept,
+        arrays: Mapping[str, _Listed],
+        asked: Options,
+        given: Mapping[str, Any],
+    ) -> None:
+        spp_grad = given.get("spp_grad")
+        spp_grad = (
+            asked.spp if spp_grad is None else integer("spp_grad", spp_grad, 1, LARGEST_COUNT)
+        )
+        given = {**given, "sensor": asked.sensor}
         given.pop("spp_grad", None)
+        of_method = MethodOptions.__annotations__
         self._of_image = {
             **{name: value for name, value in given.items() if name not in of_method},
             "spp": asked.spp,
         }
         self._of_derivative = {**given, "spp": spp_grad}
         self._asked = replace(asked, spp=spp_grad, seed=0)
-        self.seed = asked.seed
-        """The scene's own."""
-        kept = _kept(scene)
-        self._arrays = {name: _array(scene, kept.arrays, name) for name in shapes}
-        for name, shape in shapes.items():
-            _check_shape(name, self._arrays[name].shape, shape)
-        _check_apart(self._arrays)
+        self._arrays = arrays
         # The image does not depend on other sensors.
-        sensors = [name for name, _, _, _ in kept.was._sensors()]
-        others = {name for name in sensors if name != sensors[asked.sensor]}
-        self._seen = [array.first.rpartition(".")[0] not in others for array in self._arrays.values()]
-        self._was, self._spare = kept.was, kept.spare.setdefault((asked.sensor, aov), [])
+        names = [name for name, _, _, _ in kept.was._sensors()]
+        self.sensor = names[asked.sensor]
+        others = {name for name in names if name != self.sensor}
+        self._seen = [array.first.rpartition(".")[0] not in others for array in arrays.values()]
+        self._was, self._spare = kept.was, kept.spare.setdefault(asked.aov, [])
         self._methods = kept.methods
         _, (width, height), _, _ = self._was._sensors()[asked.sensor]
         self.image_shape = (height, width, 3)
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The arrays, in the order of the values."""
-        return tuple(self._arrays)
 
     def image(self, seed: int, values: Sequence[Array]) -> Array:
         """The image, (height, width, 3)."""
@@ -213,10 +288,22 @@ class Work:
             copy = _Copy(self._was.copy())
         # If that fails, the copy is not used again.
         copy.move(self._was, shaped)
+        copy.scene._turn(self._asked.sensor, self._asked.aov)
         try:
             yield copy.scene
         finally:
             self._spare.append(copy)
+
+
+def _common_shape(views: Sequence[_View]) -> tuple[int, int, int]:
+    """The shape of all images."""
+    if len({view.image_shape for view in views}) > 1:
+        sizes = (f"{v.sensor} {v.image_shape[1]} x {v.image_shape[0]}" for v in views)
+        raise ArgumentError(
+            f"the images of the views have several sizes ({', '.join(sizes)}); expected one: resize "
+            "the scene, or render views of each size by a call of their own"
+        )
+    return views[0].image_shape
 
 
 def second_derivative(names: Sequence[str]) -> Refused:

@@ -6,7 +6,7 @@ import difflib
 import math
 import operator
 import warnings
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -96,9 +96,13 @@ def checked(
     return asked
 
 
-def sensor_number(scene: _capwalk.Scene, sensor: int | str) -> int:
-    """The number of a sensor, from 0."""
-    return _sensor([name for name, _, _, _ in scene._sensors()], sensor)
+def sensor_numbers(scene: _capwalk.Scene, name: str, sensors: Sequence[Sensor]) -> list[int]:
+    """The numbers of several sensors, from 0; ``name`` is that of the argument."""
+    if isinstance(sensors, str):
+        raise TypeError(f"{name} is the string {sensors!r}; expected a list: [{sensors!r}]")
+    if len(sensors) == 0:
+        raise ArgumentError(f"{name} is empty; expected one sensor at least")
+    return [_sensor([of for of, _, _, _ in scene._sensors()], sensor) for sensor in sensors]
 
 
 def _method(given: Mapping[str, Any], steps: int | None) -> dict[str, Any]:

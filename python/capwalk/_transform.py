@@ -9,7 +9,7 @@ from ._numbers import Array
 from .errors import ArgumentError
 
 # How far the length of an axis may be from 1: rounded digits. As in scene files.
-_ROUNDED_AXIS = 2e-3
+ROUNDED_AXIS = 2e-3
 
 
 class Transform:
@@ -44,7 +44,7 @@ class Transform:
         counter-clockwise when the axis points at the viewer."""
         axis = _vector("axis", axis)
         length = np.linalg.norm(axis)
-        if abs(length - 1.0) > _ROUNDED_AXIS:
+        if abs(length - 1.0) > ROUNDED_AXIS:
             raise ArgumentError(f"the axis of the rotation has the length {length:.4g}; expected 1")
         x, y, z = axis / length
         cos, sin = np.cos(np.radians(angle)), np.sin(np.radians(angle))

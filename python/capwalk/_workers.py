@@ -16,7 +16,7 @@ from . import _capwalk
 from ._functions import Along, Scene, direction, wanted_names, warn_of
 from ._method import Method
 from ._numbers import Array, numbers
-from ._options import Options, check_names, checked, integer, sensor_number
+from ._options import Options, check_names, checked, integer, sensor_numbers
 from ._parts import Asked, Job
 from ._progress import shown
 from ._results import GradientImage, Gradients, Image
@@ -219,13 +219,9 @@ def view_seed(seed: int, view: int) -> int:
 
 def _sensors(scene: Scene, sensors: Sequence[Sensor] | None) -> list[int]:
     """The numbers of the sensors."""
-    if isinstance(sensors, str):
-        raise TypeError(f"sensors is the string {sensors!r}; expected a list: [{sensors!r}]")
     if sensors is None:
         return list(range(len(scene._sensors())))
-    if not sensors:
-        raise ArgumentError("there are no sensors in the list; expected one at least")
-    return [sensor_number(scene, sensor) for sensor in sensors]
+    return sensor_numbers(scene, "sensors", sensors)
 
 
 def _owner(ids: Sequence[str], name: str) -> int | None:

@@ -58,6 +58,11 @@ class ImageError(Error, OSError):
     """A file that cannot be read or written as an image."""
 
 
+class MeshError(Error, OSError):
+    """A file that cannot be read or written as a mesh. The message says where, what was expected and
+    what to do."""
+
+
 class BusyError(Error, RuntimeError):
     """A scene that another thread is changing or rendering."""
 

@@ -46,14 +46,15 @@ def render(
     seed_grad: int | jax.Array | None = None,
     **options: Unpack[FunctionOptions],
 ) -> jax.Array:
-    """The image of a scene, (height, width, 3), with arrays of JAX in place of some of its own. It
-    is differentiable with respect to them, once, in forward and in reverse mode. ``jax.jit`` and
-    ``jax.vmap`` may be combined with that in any order; ``jax.vmap`` renders one image after the
-    other.
+    """The image of a scene, (height, width, 3), with arrays of JAX in place of some of its own; with
+    ``views`` the images of several sensors, (views, height, width, 3). It is differentiable with
+    respect to them, once, in forward and in reverse mode. ``jax.jit`` and ``jax.vmap`` may be
+    combined with that in any order. Views, and images under ``jax.vmap``, are rendered one after
+    the other.
 
     The scene is not changed. Image and derivatives use its state at the time of the call or, in a
     compiled function, at the time of tracing, like everything that such a function captures. Calls
-    refit its trees and build none, and may be made in several threads.
+    refit its trees, which all sensors share, and build none, and may be made in several threads.
 
     **Seeds.** The image and its derivatives have different random numbers. Otherwise the gradient
     of a loss, which is a product of both, would be biased. For the same reason all images that
@@ -64,11 +65,12 @@ def render(
     :param params: arrays of float32 or float64 by the names of the arrays that
         :func:`capwalk.traverse` lists, in their shapes or flat, in their units. The image is of
         the widest of their types.
-    :param seed: of the random numbers of the image, 0 to 2**64 - 1; by default the scene's.
+    :param seed: of the random numbers of the image, 0 to 2**64 - 1; by default the scene's. Of
+        several views it is that of the first.
     :param seed_grad: of the random numbers of the derivatives; by default the complement of
         ``seed``.
-    :param options: how, see :class:`capwalk.options.FunctionOptions`: ``sensor``, ``aov``, ``spp``,
-        ``spp_grad``, ``threads``, ``progress``, and what is said of methods by
+    :param options: how, see :class:`capwalk.options.FunctionOptions`: ``sensor``, ``views``, ``aov``,
+        ``spp``, ``spp_grad``, ``threads``, ``progress``, and what is said of methods by
         :class:`capwalk.options.MethodOptions`.
 
     In compiled functions, errors that depend on values are raised by JAX as an error of its own

@@ -13,6 +13,7 @@ of a function that passes them on::
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, TypedDict
 
 from ._method import Method
@@ -129,5 +130,10 @@ class FunctionOptions(SampleOptions, ThreadOptions, MethodOptions, total=False):
 
     sensor: Sensor
     """Which of the scene's sensors, by number from 0 or by name; by default the first."""
+    views: Sequence[Sensor] | None
+    """Several of the scene's sensors instead, of images of one size: the result is
+    (views, height, width, 3), and gradients are those of all views together. Each view has the seeds
+    ``capwalk.parallel.view_seed(seed, i)`` and ``view_seed(seed_grad, i)``, where ``i`` is its place in
+    the list, so that their noise is independent."""
     spp_grad: int | None
     """Samples per pixel of the derivatives; by default ``spp``."""

@@ -40,13 +40,14 @@ def render(
     seed_grad: int | None = None,
     **options: Unpack[FunctionOptions],
 ) -> torch.Tensor:
-    """The image of a scene, (height, width, 3), with tensors in place of some of its arrays. It is
-    differentiable with respect to them, once: in reverse mode (``backward``, ``torch.func.grad``)
-    and in forward mode (``torch.func.jvp``, ``torch.autograd.forward_ad``).
+    """The image of a scene, (height, width, 3), with tensors in place of some of its arrays; with
+    ``views`` the images of several sensors, (views, height, width, 3). It is differentiable with
+    respect to them, once: in reverse mode (``backward``, ``torch.func.grad``) and in forward mode
+    (``torch.func.jvp``, ``torch.autograd.forward_ad``).
 
     The scene is not changed. Image and derivatives use its state at the time of the call. Calls
-    refit its trees and build none, and may be made in several threads. Under ``torch.func.vmap``
-    images are rendered one after the other.
+    refit its trees, which all sensors share, and build none, and may be made in several threads.
+    Views, and images under ``torch.func.vmap``, are rendered one after the other.
 
     **Seeds.** The image and its derivatives have different random numbers. Otherwise the gradient
     of a loss, which is a product of both, would be biased. For the same reason all images that
@@ -56,11 +57,12 @@ def render(
     :param params: tensors of float32 or float64 by the names of the arrays that
         :func:`capwalk.traverse` lists, in their shapes or flat, in their units. All of them are
         on one device, the image comes back there, in the widest of their types.
-    :param seed: of the random numbers of the image, 0 to 2**64 - 1; by default the scene's.
+    :param seed: of the random numbers of the image, 0 to 2**64 - 1; by default the scene's. Of
+        several views it is that of the first.
     :param seed_grad: of the random numbers of the derivatives; by default the complement of
         ``seed``.
-    :param options: how, see :class:`capwalk.options.FunctionOptions`: ``sensor``, ``aov``, ``spp``,
-        ``spp_grad``, ``threads``, ``progress``, and what is said of methods by
+    :param options: how, see :class:`capwalk.options.FunctionOptions`: ``sensor``, ``views``, ``aov``,
+        ``spp``, ``spp_grad``, ``threads``, ``progress``, and what is said of methods by
         :class:`capwalk.options.MethodOptions`.
 
     :raises ArgumentError: a tensor of another shape, type or device, or ``seed_grad`` equals

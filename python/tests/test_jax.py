@@ -247,6 +247,33 @@ def test_single_precision(leaf: cw.Scene) -> None:
     assert np.allclose(gradient, jax.grad(loss)(colours, SEED)[FLOOR], rtol=1e-5)
 
 
+@pytest.mark.parametrize("jit", [lambda f: f, jax.jit])
+def test_views_in_one_call(jit: Any) -> None:
+    """The bits of one call for each, of which the gradients are added up."""
+    from capwalk.parallel import view_seed
+    from test_views import two_of_one_size
+
+    two = two_of_one_size()
+    names = ("box.positions", "left.x_fov")
+    start = [jnp.asarray(cw.traverse(two)[name]) for name in names]
+    weights = np.random.default_rng(1).normal(size=(2, 18, 24, 3))
+
+    def render(values: list[jax.Array], **options: Any) -> jax.Array:
+        return capwalk.jax.render(two, dict(zip(names, values)), spp=2, **options)
+
+    seeds = [{"seed": view_seed(SEED, i), "seed_grad": view_seed(SEED_GRAD, i)} for i in (0, 1)]
+    images, pull = jax.vjp(jit(lambda values: render(values, views=["left", 0], seed=SEED)), start)
+    apart = [
+        jax.vjp(lambda values: render(values, sensor=sensor, **own), start)
+        for sensor, own in zip(("left", 0), seeds)
+    ]
+    assert same(images, jnp.stack([image for image, _ in apart]))
+    first, second = (pull(adjoint)[0] for adjoint, (_, pull) in zip(weights, apart))
+    (found,) = pull(jnp.asarray(weights))
+    assert found[0].any() and found[1].any()
+    assert same(found, [one + other for one, other in zip(first, second)])
+
+
 def test_the_scene_counts_as_it_was(leaf: cw.Scene) -> None:
     """At the call, or when a function was traced; and it is left as it is."""
     positions, colour = values(leaf)

@@ -20,7 +20,11 @@ PAGES = [
     if "```python" in path.read_text(encoding="utf-8")
 ]
 
-NEEDS = {"docs/how-to/custom-loss.md": ["torch"], "docs/scene-files.md": ["drjit", "mitsuba"]}
+NEEDS = {
+    "docs/how-to/custom-loss.md": ["torch"],
+    "docs/how-to/many-views.md": ["torch"],
+    "docs/scene-files.md": ["drjit", "mitsuba"],
+}
 """The packages that the code of a page imports besides NumPy."""
 
 FEWER = {r"\bspp=\d+": "spp=2", r"range\(100\)": "range(2)", r"height, fine = 512, 16": "height, fine = 8, 2"}

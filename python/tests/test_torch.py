@@ -345,6 +345,62 @@ def test_views(leaf: cw.Scene) -> None:
         assert np.array_equal(found, expected["box.positions"]) and found.any()
 
 
+def test_views_in_one_call() -> None:
+    """The bits of one call for each, of which the gradients are added up, with one set of trees."""
+    from capwalk._functional import _KEPT
+    from capwalk.parallel import view_seed
+    from test_views import two_of_one_size
+
+    two = two_of_one_size()
+    names = ["box.positions", FLOOR, "left.to_world", "left.x_fov", "sensor_0.translate"]
+    values = tuple(tensors(two, *names).values())
+    weights = torch.tensor(np.random.default_rng(1).normal(size=(3, 18, 24, 3)))
+    views = ["left", 0, 1]
+
+    def together(*values: torch.Tensor) -> torch.Tensor:
+        params = dict(zip(names, values))
+        return capwalk.torch.render(two, params, views=views, spp=2, spp_grad=3, seed=SEED)
+
+    def apart(i: int, *values: torch.Tensor) -> torch.Tensor:
+        params = dict(zip(names, values))
+        own = {"seed": view_seed(SEED, i), "seed_grad": view_seed(SEED_GRAD, i)}
+        return capwalk.torch.render(two, params, sensor=views[i], spp=2, spp_grad=3, **own)
+
+    func = torch.func
+    images, pull = func.vjp(together, *values)
+    assert [len(copies) for copies in _KEPT[two].spare.values()] == [1]
+    separate = [func.vjp(lambda *v, i=i: apart(i, *v), *values) for i in range(3)]
+    assert torch.equal(images, torch.stack([image for image, _ in separate]))
+    for i, sensor in enumerate(views):
+        own = cw.render(two, sensor=sensor, spp=2, seed=view_seed(SEED, i))
+        assert np.array_equal(images[i], own.value)
+    first, second, third = (pull(weights[i]) for i, (_, pull) in enumerate(separate))
+    for name, found, a, b, c in zip(names, pull(weights), first, second, third):
+        assert found.any() and torch.equal(found, (a + b) + c), name
+    assert second[2].any() == second[3].any() == first[4].any() == False  # noqa: E712
+    _, moved = func.jvp(together, values, values)
+    expected = [func.jvp(lambda *v, i=i: apart(i, *v), values, values)[1] for i in range(3)]
+    assert torch.equal(moved, torch.stack(expected))
+    assert [len(copies) for copies in _KEPT[two].spare.values()] == [1]
+
+
+def test_wrong_views() -> None:
+    from test_views import LEFT, SCENE
+
+    two = cw.load_string(SCENE.replace("</scene>", LEFT))
+    for options, error in (
+        ({"views": [0, 1]}, r"several sizes \(sensor_0 24 x 18, left 20 x 10\); expected one"),
+        ({"views": []}, "views is empty"),
+        ({"views": ["left", "right"]}, 'no sensor "right"'),
+        ({"views": ["left"], "sensor": 0}, "both sensor and views"),
+    ):
+        with pytest.raises(cw.ArgumentError, match=error):
+            capwalk.torch.render(two, {}, spp=1, **options)
+    with pytest.raises(TypeError, match=r"views is the string 'left'; expected a list"):
+        capwalk.torch.render(two, {}, views="left", spp=1)
+    assert capwalk.torch.render(two, {}, views=["left"], spp=1).shape == (1, 10, 20, 3)
+
+
 def test_threads(leaf: cw.Scene) -> None:
     other = cw.load_file("leaf")
     other.resize(5, 4)

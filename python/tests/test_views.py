@@ -23,6 +23,12 @@ def two() -> cw.Scene:
     return cw.load_string(SCENE.replace("</scene>", LEFT))
 
 
+def two_of_one_size() -> cw.Scene:
+    """The same with 24 x 18 pixels each."""
+    left = LEFT.replace('value="20"', 'value="24"').replace('value="10"', 'value="18"')
+    return cw.load_string(SCENE.replace("</scene>", left))
+
+
 def test_sensors(two: cw.Scene) -> None:
     image = cw.render(two, sensor="left")
     assert image.value.shape == (10, 20, 3)

@@ -1,5 +1,6 @@
 //! Errors as the exceptions of `capwalk.errors`, which are written in Python.
 
+use capwalk::scene_io::mesh::NamedMeshError;
 use capwalk::{DeviceFailure, Error, LoadError, Refusal};
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
@@ -30,6 +31,11 @@ pub fn exception(py: Python<'_>, error: impl Into<Error>) -> PyErr {
         Error::Image(_) | Error::UnusableImage { .. } => instance(py, "ImageError", (text,)),
         _ => instance(py, "ArgumentError", (text,)),
     }
+}
+
+/// The exception for a file that cannot be read or written as a mesh.
+pub fn mesh(py: Python<'_>, error: &NamedMeshError) -> PyErr {
+    instance(py, "MeshError", (error.to_string(),))
 }
 
 /// The exception for an argument of the wrong shape or out of its range.

@@ -1,14 +1,15 @@
-//! Images as PNG: for notebooks, and in files.
+//! Images as PNG, for notebooks, and in files.
 
 use std::path::PathBuf;
 
 use capwalk::FilesRead;
 use capwalk::scene_io::image::{LayeredImage, Preview, Style, pixels_as_png, robust_limit, write};
-use numpy::PyReadonlyArrayDyn;
+use capwalk::scene_io::read_image as read;
+use numpy::{PyArray3, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
-use crate::watched::detached;
+use crate::watched::{detached, interruptible};
 use crate::{arrays, errors};
 
 /// The bytes of a PNG file: a photograph, or for what has a sign false colours, blue below
@@ -29,6 +30,18 @@ pub fn png<'py>(
     let bytes = detached(py, || pixels_as_png(&image, style))?;
     let bytes = bytes.map_err(|error| errors::exception(py, error))?;
     Ok(PyBytes::new(py, &bytes))
+}
+
+/// An image in a file, (height, width, 3).
+#[pyfunction]
+pub fn read_image(
+    py: Python<'_>,
+    path: PathBuf,
+    layer: Option<String>,
+    raw: bool,
+) -> PyResult<Bound<'_, PyArray3<f64>>> {
+    let image = interruptible(py, move || read(&path, layer.as_deref(), raw))?;
+    arrays::from_image(py, &image.map_err(|error| errors::exception(py, error))?)
 }
 
 /// Writes images into one file, by their names there, with notes on them. It is none of those that

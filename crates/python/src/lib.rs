@@ -2,10 +2,12 @@
 //! derivatives over NumPy arrays, on top of the crate `capwalk`. Users see the package around it,
 //! `python/capwalk`, which checks arguments and has the documentation.
 
+mod aov;
 mod arrays;
 mod direction;
 mod errors;
 mod image;
+mod mesh;
 mod parts;
 mod results;
 mod scene;
@@ -18,7 +20,9 @@ mod work;
 #[pyo3::pymodule]
 mod _capwalk {
     #[pymodule_export]
-    use crate::image::{png, write_images};
+    use crate::image::{png, read_image, write_images};
+    #[pymodule_export]
+    use crate::mesh::{read_mesh, write_mesh};
     #[pymodule_export]
     use crate::parts::{choose, merge, part};
     #[pymodule_export]

@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
 use crate::watched::{detached, interruptible};
-use crate::{arrays, errors};
+use crate::{aov, arrays, errors};
 
 /// A scene that is ready to be rendered and differentiated, from `load_file` and its like. It can
 /// be rendered by several threads at once, pickled, and copied.
@@ -269,6 +269,13 @@ impl Scene {
         let other = other.read(py)?;
         let other: &Views = &other;
         self.change(py, |views| views.restore(other, &checked(other, &changes)?))
+    }
+
+    /// Lets a sensor take over the trees of the one that has them, see [`Views::turn`].
+    #[pyo3(name = "_turn")]
+    fn turn(&self, py: Python<'_>, sensor: usize, aov: Option<&str>) -> PyResult<()> {
+        let aov = aov.map(|name| aov::named(py, name)).transpose()?;
+        self.change(py, |views| views.turn(ViewId { sensor, aov }))
     }
 
     /// Goes over to the scene that pickling made these bytes of.

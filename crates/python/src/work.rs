@@ -1,6 +1,6 @@
 //! Images and gradients of scenes.
 
-use capwalk::scene::{Aov, unpack};
+use capwalk::scene::unpack;
 use capwalk::{
     CheckOptions, Choice, Device, Error, GradientOptions, MethodChoice, MethodName, Prepared,
     RenderOptions, ViewId, Views, WalkChoice, Watch,
@@ -15,7 +15,7 @@ use crate::results::{
 };
 use crate::scene::Scene;
 use crate::watched::{How, watched};
-use crate::{arrays, errors};
+use crate::{aov, arrays, errors};
 
 /// What is asked for besides the scene and the direction.
 #[derive(FromPyObject)]
@@ -58,7 +58,7 @@ impl<'py> Options<'py> {
     pub fn view(&self, py: Python<'_>) -> PyResult<ViewId> {
         let aov = match &self.aov {
             None => None,
-            Some(name) => Some(aov(py, name)?),
+            Some(name) => Some(aov::named(py, name)?),
         };
         Ok(ViewId {
             sensor: self.sensor,
@@ -108,15 +108,6 @@ impl<'py> Options<'py> {
             progress: self.progress.clone(),
         }
     }
-}
-
-/// What can be seen of surfaces, by its name.
-fn aov(py: Python<'_>, name: &str) -> PyResult<Aov> {
-    let found = Aov::ALL.into_iter().find(|aov| aov.name() == name);
-    found.ok_or_else(|| {
-        let names = Aov::ALL.map(Aov::name).join(", ");
-        errors::argument(py, format!("there is no aov \"{name}\"; there are {names}"))
-    })
 }
 
 /// Work on a scene, followed by Python; with respect to what has these names.

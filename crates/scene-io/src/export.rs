@@ -15,7 +15,7 @@
 
 mod beside;
 mod error;
-mod ply_file;
+mod shape_file;
 mod xml_file;
 
 use std::collections::HashSet;
@@ -31,6 +31,7 @@ pub use error::ExportError;
 use crate::atomic::write_one_of_many;
 use crate::files::read_file;
 use crate::image::{LayeredImage, VALUE, encode_exr};
+use crate::mesh::write_ply;
 
 /// Writes the scene and returns the path of its XML file. A path that ends in
 /// `.xml` is that file; any other is a directory to put `scene.xml` into. The
@@ -91,7 +92,10 @@ fn each_file(
     for (shape, name) in scene.shapes.iter().zip(&names) {
         let path = directory.join(name);
         let mut bytes = Vec::new();
-        at(&path, ply_file::write(scene, shape, &mut bytes))?;
+        at(
+            &path,
+            write_ply(&shape_file::mesh_file(scene, shape), &mut bytes),
+        )?;
         show(&path, &bytes)?;
         files.meshes.push(format!("{folder}/{name}"));
     }

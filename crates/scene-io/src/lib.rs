@@ -26,6 +26,7 @@
 //! ```
 
 // Reading scenes, meshes and textures.
+mod any_image;
 mod bitmap;
 mod cie;
 mod error;
@@ -62,6 +63,7 @@ pub mod export;
 pub mod image;
 mod velocities;
 
+pub use any_image::read_image;
 #[cfg(feature = "faults")]
 pub use atomic::faults;
 pub use atomic::{append, is_temporary};

@@ -1,4 +1,5 @@
-//! Mesh files: OBJ, PLY, Mitsuba's `.serialized`, and glTF; and files of curves.
+//! Mesh files: OBJ, PLY, Mitsuba's `.serialized`, and glTF; and files of curves. [`read_mesh`] takes the
+//! reader that a file's ending asks for; [`write_mesh`] writes PLY.
 
 mod checked;
 mod curves;
@@ -7,10 +8,12 @@ mod gltf;
 mod gltf_bytes;
 mod gltf_file;
 mod gltf_node;
+mod named;
 mod obj;
 mod ply;
 mod ply_attribute;
 mod ply_header;
+mod ply_writer;
 mod serialized;
 
 pub(crate) use checked::direction;
@@ -22,6 +25,8 @@ pub use gltf_bytes::OpenFile;
 pub(crate) use gltf_file::{GltfFile, unsupported};
 pub(crate) use gltf_node::shown_name;
 pub use gltf_node::{GltfChoice, GltfName};
+pub use named::{MeshChoice, NamedMeshError, read_mesh, write_mesh};
 pub use obj::read_obj;
 pub use ply::read_ply;
+pub use ply_writer::write_ply;
 pub use serialized::read_serialized;

@@ -1,0 +1,118 @@
+"""Meshes and images in files, as arrays."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Mapping
+from typing import Any
+
+from . import _capwalk
+from ._dictionary import mesh_arrays
+from ._numbers import Array
+from ._options import LARGEST_COUNT, integer
+from .errors import ArgumentError, LoadError, SceneWarning
+
+
+def load_mesh(
+    path: str | os.PathLike[str],
+    *,
+    node: int | str | None = None,
+    mesh: int | str | None = None,
+    primitive: int | None = None,
+    shape_index: int | None = None,
+) -> dict[str, Any]:
+    """The mesh in a file, ``.ply``, ``.obj``, ``.gltf``, ``.glb`` or Mitsuba's ``.serialized``, as a shape
+    for :func:`load_dict`::
+
+        mesh = cw.load_mesh("bunny.ply")
+        mesh["positions"] *= 0.1
+        scene = cw.load_dict({..., "bunny": {**mesh, "bsdf": {"type": "diffuse"}}})
+
+    Besides its type, ``"mesh"``, it has ``"positions"``, (V, 3), ``"faces"``, (F, 3), whole numbers from
+    0, and if they are in the file ``"normals"``, (V, 3), of length 1, ``"uvs"``, (V, 2), and
+    attributes ``"vertex_..."`` and ``"face_..."``, such as ``"vertex_color"``. Polygons are divided
+    into triangles. Rows of bitmaps begin at v = 0, so v of OBJ files is turned round. A glTF file
+    without normals has ``"face_normals"``.
+
+    Materials and textures of files are not read, nor are further meshes of an OBJ file told apart:
+    it is one mesh.
+
+    :param node: of a glTF file with several meshes, the node by its name or number.
+    :param mesh: the mesh, likewise.
+    :param primitive: the primitive of that mesh, by its number.
+    :param shape_index: the number of a mesh in a ``.serialized`` file; by default 0.
+    :raises MeshError: the file is not there, or is no mesh, or there are several.
+    """
+    path = os.fspath(path)
+    arrays, faces, remarks = _capwalk.read_mesh(
+        path,
+        _named("node", node),
+        _named("mesh", mesh),
+        _number("primitive", primitive),
+        _number("shape_index", shape_index),
+    )
+    for remark in remarks:
+        warnings.warn(f"{path} {remark}", SceneWarning, stacklevel=2)
+    shape: dict[str, Any] = {"type": "mesh", **dict(arrays), "faces": faces}
+    if path.lower().endswith((".gltf", ".glb")) and "normals" not in shape:
+        shape["face_normals"] = True
+    return shape
+
+
+def save_mesh(path: str | os.PathLike[str], mesh: Mapping[str, object]) -> None:
+    """Writes a mesh to a ``.ply`` file, binary and in double precision, so that :func:`load_mesh`
+    gives the same numbers. Other formats are not written. A shape of a scene::
+
+        positions = cw.traverse(scene)["bunny.positions"]
+        cw.save_mesh("bunny.ply", {"positions": positions, "faces": scene.faces("bunny")})
+
+    :param mesh: its arrays, named as by :func:`load_mesh`: ``"positions"`` and ``"faces"``, and
+        perhaps ``"normals"``, ``"uvs"``, ``"vertex_..."`` and ``"face_..."``.
+    :raises ArgumentError: an array is missing or has another shape, or something is no array of a
+        mesh.
+    :raises MeshError: the file cannot be written, or its name has another ending.
+    """
+    if not isinstance(mesh, Mapping):
+        raise TypeError(f"the mesh is a {type(mesh).__name__}; expected a dictionary of arrays")
+    given = [(name, value) for name, value in mesh.items() if name != "type" or value != "mesh"]
+    entries = [(name, value, f'mesh["{name}"]') for name, value in given]
+    try:
+        arrays, faces, others = mesh_arrays(entries, "mesh")
+    except LoadError as error:
+        raise ArgumentError(str(error)) from None
+    if others:
+        names = ", ".join(f'"{name}"' for name, _, _ in others)
+        raise ArgumentError(f"a .ply file has no place for {names}; leave them out of the mesh")
+    _capwalk.write_mesh(os.fspath(path), arrays, faces)
+
+
+def load_image(
+    path: str | os.PathLike[str], *, layer: str | None = None, raw: bool = False
+) -> Array:
+    """The image in a file, ``.exr``, ``.npz``, ``.png``, ``.jpg``, ``.bmp``, ``.tga`` or ``.hdr``, as linear
+    RGB, (height, width, 3), as a target for rendered ones. Greys are equal in all channels.
+
+    Files with 8 or 16 bits are decoded from sRGB; colour profiles in them are not regarded. The
+    others are linear: their numbers are as they are, negative, infinite or NaN in EXR and NPZ files,
+    too. Images of capwalk are written by ``save``, such as :meth:`Image.save`.
+
+    :param layer: one of the layers of a file, such as ``"gradient"``, or of the groups of channels
+        of an EXR file; by default ``"value"``, which are its channels R, G, B, or else the only one.
+        ``"A"`` is the opacity, by which colours are not multiplied; 1 if a file with 8 or 16 bits
+        has none.
+    :param raw: whether 8 or 16 bits are taken as they are, from 0 to 1: for normals, masks and the
+        like.
+    :raises ImageError: the file is not there or no image, or has no such layer.
+    """
+    if not isinstance(raw, bool):
+        raise TypeError(f"raw is {raw!r}; expected True or False")
+    return _capwalk.read_image(os.fspath(path), layer, raw)
+
+
+def _named(name: str, value: int | str | None) -> int | str | None:
+    return value if isinstance(value, str) else _number(name, value)
+
+
+def _number(name: str, value: int | None) -> int | None:
+    return None if value is None else integer(name, value, 0, LARGEST_COUNT)
