@@ -76,6 +76,7 @@ phenomena! {
     mirror_ball_moves
     normal_map_texel
     object_moves_before_orthographic_sensor
+    object_moves_behind_a_glass_ball
     object_moves_between_two_mirrors
     object_moves_in_a_coarse_mirror
     object_moves_in_a_coated_ball
