@@ -88,6 +88,7 @@ phenomena! {
     object_moves_in_a_planar_mirror
     object_moves_in_two_mirror_balls
     object_moves_inside_a_glass_ball
+    object_moves_inside_a_glass_shell
     occluder_and_receiver_move_together
     open_mesh_moves
     orthographic_sensor_before_a_mirror_ball
