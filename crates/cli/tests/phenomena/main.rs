@@ -35,6 +35,7 @@ phenomena! {
     camera_moves_with_shadows
     camera_moves_without_shadows
     camera_over_a_texture
+    caustic_below_a_lens
     checkerboard_under_a_moving_cube
     coarse_smooth_ball_turns
     colours_of_a_wall_slide
