@@ -52,6 +52,7 @@ phenomena! {
     emitter_of_texels_moves
     emitter_on_black
     emitter_seen_by_reflection_moves
+    emitter_turns_before_a_concave_mirror
     emitters_that_touch
     environment_light_moving_occluder
     environment_texel
