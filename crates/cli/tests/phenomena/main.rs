@@ -35,6 +35,7 @@ phenomena! {
     camera_moves_with_shadows
     camera_moves_without_shadows
     camera_over_a_texture
+    caustic_below_a_lens
     checkerboard_under_a_moving_cube
     coarse_smooth_ball_turns
     colours_of_a_wall_slide
@@ -51,6 +52,7 @@ phenomena! {
     emitter_of_texels_moves
     emitter_on_black
     emitter_seen_by_reflection_moves
+    emitter_turns_before_a_concave_mirror
     emitters_that_touch
     environment_light_moving_occluder
     environment_texel
@@ -76,6 +78,7 @@ phenomena! {
     mirror_ball_moves
     normal_map_texel
     object_moves_before_orthographic_sensor
+    object_moves_behind_a_glass_ball
     object_moves_between_two_mirrors
     object_moves_in_a_coarse_mirror
     object_moves_in_a_coated_ball
@@ -87,6 +90,7 @@ phenomena! {
     object_moves_in_a_planar_mirror
     object_moves_in_two_mirror_balls
     object_moves_inside_a_glass_ball
+    object_moves_inside_a_glass_shell
     occluder_and_receiver_move_together
     open_mesh_moves
     orthographic_sensor_before_a_mirror_ball
