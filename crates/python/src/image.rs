@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use capwalk::FilesRead;
-use capwalk::scene_io::image::{LayeredImage, Preview, Style, pixels_as_png, robust_limit, write};
+use capwalk::scene_io::image::{LayeredImage, Preview, Scale, Style, pixels_as_png, write};
 use capwalk::scene_io::read_image as read;
 use numpy::{PyArray3, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
@@ -22,9 +22,8 @@ pub fn png<'py>(
 ) -> PyResult<Bound<'py, PyBytes>> {
     let image = arrays::to_image("the image", &image)?;
     let style = match signed {
-        true => Style::Diverging {
-            limit: robust_limit([&image]),
-        },
+        // The bar beside it is even.
+        true => Style::Diverging(Scale::even(Scale::of([&image]).limit)),
         false => Style::Photographic { exposure: 0.0 },
     };
     let bytes = detached(py, || pixels_as_png(&image, style))?;

@@ -30,7 +30,7 @@ pub(crate) use exr_file::decode_value as decode_exr_value;
 pub use file::{ImageFile, check_writable, read, write};
 pub use layered::{GRADIENT, Layer, LayeredImage, VALUE};
 pub use panel::{Panel, Preview, Style, Written, colour_bar_as_png, pixels_as_png, write_panels};
-pub use tone::{photographic, robust_limit};
+pub use tone::{Scale, photographic};
 
 #[cfg(test)]
 mod tests;

@@ -13,7 +13,7 @@ use capwalk_inverse::{Iteration, Problem, State, record};
 use capwalk_scene::Image;
 use capwalk_scene_io::arrays::{self, Array, ArrayFile, Arrays};
 use capwalk_scene_io::export;
-use capwalk_scene_io::image::{Panel, Style, robust_limit, write_panels};
+use capwalk_scene_io::image::{Panel, Scale, Style, write_panels};
 use capwalk_scene_io::{FilesRead, append, is_temporary, read_file, read_text_file};
 
 use crate::folder_error::FolderError;
@@ -331,7 +331,6 @@ impl Folder {
                 pixels: pairs.map(|(&a, &b)| a - b).collect(),
                 ..*image
             };
-            let limit = robust_limit([&difference]);
             let photographic = Style::Photographic { exposure: 0.0 };
             let panel = |title, image, style| Panel {
                 title,
@@ -341,7 +340,11 @@ impl Folder {
             let panels = [
                 panel("image", image, photographic),
                 panel("target", &view.target, photographic),
-                panel("difference", &difference, Style::Diverging { limit }),
+                panel(
+                    "difference",
+                    &difference,
+                    Style::Diverging(Scale::of([&difference])),
+                ),
             ];
             write_panels(&self.path.join(IMAGES).join(file), &panels, &[])?;
         }

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use capwalk::scene_io::image::{self, GRADIENT, ImageFile, LayeredImage, Panel, Style, VALUE};
+use capwalk::scene_io::image::{GRADIENT, ImageFile, LayeredImage, Panel, Scale, Style, VALUE};
 use capwalk::text::listed;
 use capwalk::{Comparison, Estimate, Image, Rgb, Verdict};
 use serde_json::json;
@@ -82,11 +82,10 @@ pub fn run(args: &Compare) -> Result<Outcome> {
     if let Some(files) = &files {
         let mut result = LayeredImage::default();
         result.push("difference", difference.clone());
-        let limit = image::robust_limit([&difference]);
         let panel = Panel {
             title: "difference",
             image: &difference,
-            style: Style::Diverging { limit },
+            style: Style::Diverging(Scale::of([&difference])),
         };
         written = files.write(&result, &[panel])?;
     }

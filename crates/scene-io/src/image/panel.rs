@@ -9,7 +9,7 @@ use super::canvas::{Canvas, text_size};
 use super::error::ImageError;
 use super::format::{Format, format, save};
 use super::layered::{GRADIENT, LayeredImage, VALUE};
-use super::tone::robust_limit;
+use super::tone::Scale;
 use super::{png, tone};
 
 /// One of several images side by side.
@@ -33,10 +33,7 @@ pub enum Style {
     },
     /// Signed numbers (the mean of the channels) from blue to red, with a
     /// colour bar. White is zero.
-    Diverging {
-        /// The number at either end.
-        limit: f64,
-    },
+    Diverging(Scale),
 }
 
 /// How a PNG preview looks.
@@ -45,8 +42,8 @@ pub struct Preview {
     /// The value is multiplied by `2^exposure` before the sRGB curve; what is
     /// above 1 is white then.
     pub exposure: f64,
-    /// Where the false colours of a gradient end on both sides; `None` chooses
-    /// [`robust_limit`].
+    /// Where the false colours of a gradient end on both sides, spread evenly; `None` chooses
+    /// [`Scale::of`].
     pub limit: Option<f64>,
 }
 
@@ -76,8 +73,8 @@ pub fn write_panels(
         });
     }
     for panel in panels {
-        if let Style::Diverging { limit } = panel.style {
-            check_limit(path, limit)?;
+        if let Style::Diverging(scale) = panel.style {
+            check_limit(path, scale.limit)?;
         }
     }
     save_canvas(path, &draw(panels), metadata)?;
@@ -88,8 +85,8 @@ pub fn write_panels(
 /// An image as a PNG file in memory, its pixels as they are: no title, no bar.
 pub fn pixels_as_png(image: &Image, style: Style) -> Result<Vec<u8>, ImageError> {
     let path = Path::new("image in memory");
-    if let Style::Diverging { limit } = style {
-        check_limit(path, limit)?;
+    if let Style::Diverging(scale) = style {
+        check_limit(path, scale.limit)?;
     }
     let pixels = image.pixels.iter().map(|&pixel| style.colour(pixel));
     let canvas = Canvas {
@@ -111,7 +108,7 @@ pub fn colour_bar_as_png() -> Result<Vec<u8>, ImageError> {
         height: 1,
         pixels: values.collect(),
     };
-    pixels_as_png(&bar, Style::Diverging { limit: 1.0 })
+    pixels_as_png(&bar, Style::Diverging(Scale::even(1.0)))
 }
 
 impl Style {
@@ -119,13 +116,13 @@ impl Style {
     fn colour(self, pixel: Rgb) -> [u8; 3] {
         match self {
             Self::Photographic { exposure } => tone::photographic(pixel, exposure.exp2()),
-            Self::Diverging { limit } => tone::diverging(tone::mean(pixel), limit),
+            Self::Diverging(scale) => tone::diverging(scale.place(tone::mean(pixel))),
         }
     }
 }
 
-/// Writes a preview of a layer: the gradient, or else the value, or else
-/// the first.
+/// Writes a preview of a layer: the gradient, beside the value if that is there, or else the value, or
+/// else the first.
 pub(super) fn write_preview(
     path: &Path,
     layered: &LayeredImage,
@@ -140,20 +137,44 @@ pub(super) fn write_preview(
     let canvas = if name == VALUE {
         photograph(image, preview.exposure)
     } else {
-        let chosen = preview.limit.unwrap_or_else(|| robust_limit([image]));
-        check_limit(path, chosen)?;
-        limit = Some(chosen);
-        draw(&[Panel {
-            title: name,
+        let scale = (preview.limit).map_or_else(|| Scale::of([image]), Scale::even);
+        check_limit(path, scale.limit)?;
+        limit = Some(scale.limit);
+        let title = title(name, &layered.metadata);
+        let shown = Panel {
+            title: &title,
             image,
-            style: Style::Diverging { limit: chosen },
-        }])
+            style: Style::Diverging(scale),
+        };
+        let value = layered.layer(VALUE).map(|image| Panel {
+            title: VALUE,
+            image,
+            style: Style::Photographic {
+                exposure: preview.exposure,
+            },
+        });
+        draw(&value.into_iter().chain([shown]).collect::<Vec<_>>())
     };
     save_canvas(path, &canvas, &layered.metadata)?;
     Ok(Written {
         non_finite_pixels: tone::non_finite_pixels(image),
         limit,
     })
+}
+
+/// The name of a layer, and of a gradient with respect to what it is.
+fn title(name: &str, metadata: &[(String, String)]) -> String {
+    let mut pairs = metadata.iter();
+    let parameter = pairs.find(|(key, _)| name == GRADIENT && key == "parameter");
+    let Some((_, parameter)) = parameter else {
+        return name.to_owned();
+    };
+    let turns = parameter.contains(".rotate.");
+    let unit = match (turns, parameter.contains(' ')) {
+        (true, false) => "degree",
+        _ => "unit",
+    };
+    format!("{name} per {unit} of {parameter}")
 }
 
 fn check_limit(path: &Path, limit: f64) -> Result<(), ImageError> {
@@ -186,8 +207,8 @@ fn photograph(image: &Image, exposure: f64) -> Canvas {
     }
 }
 
-/// Images smaller than this are enlarged by a whole factor, pixels.
-const LEAST_HEIGHT: usize = 192;
+/// Images that are narrower than this are enlarged by a whole factor, pixels.
+const LEAST_WIDTH: usize = 384;
 /// Height of a title, pixels at scale 1.
 const TITLE: usize = 10;
 /// Width of a colour bar, pixels at scale 1.
@@ -204,28 +225,29 @@ struct Layout {
     size: [usize; 2],
     /// Pixels of the canvas for each pixel of the image, along each side.
     zoom: usize,
-    /// Marks of the colour bar from top to bottom.
-    ticks: Vec<String>,
+    /// Marks of the colour bar from top to bottom, with their places from 0 to 1.
+    ticks: Vec<(String, f64)>,
 }
 
 fn draw(panels: &[Panel]) -> Canvas {
     let tallest = panels.iter().map(|p| p.image.height).max().unwrap_or(0);
-    // Text that can be read beside large images, too.
-    let scale = (tallest / 400 + 1).min(4);
+    // Text that can be read in a talk, and beside large images.
+    let scale = (tallest / 400 + 2).min(4);
     let top = (TITLE + GAP) * scale;
     let mut left = GAP * scale;
     let mut layouts = Vec::new();
     for panel in panels {
-        let zoom = (LEAST_HEIGHT / panel.image.height.max(1)).max(1);
+        let zoom = LEAST_WIDTH.div_ceil(panel.image.width.max(1));
         let size = [panel.image.width * zoom, panel.image.height * zoom];
         let ticks = match panel.style {
             Style::Photographic { .. } => Vec::new(),
-            Style::Diverging { limit } => [1.0, 0.5, 0.0, -0.5, -1.0]
-                .iter()
-                .map(|t| label(t * limit))
-                .collect(),
+            Style::Diverging(scale) => {
+                let ticks = scale.ticks().into_iter();
+                let place = |value| 0.5 - 0.5 * scale.place(value);
+                ticks.map(|value| (label(value), place(value))).collect()
+            }
         };
-        let labels = ticks.iter().map(|t| text_size(t, scale)[0]).max();
+        let labels = ticks.iter().map(|(t, _)| text_size(t, scale)[0]).max();
         let bar = labels.map_or(0, |width| (2 * GAP + BAR) * scale + width);
         let title = match tone::non_finite_pixels(panel.image) {
             0 => panel.title.to_owned(),
@@ -247,7 +269,7 @@ fn draw(panels: &[Panel]) -> Canvas {
     for (panel, layout) in panels.iter().zip(&layouts) {
         canvas.text([layout.left, GAP * scale / 2], scale, &layout.title);
         draw_pixels(&mut canvas, panel, layout, top);
-        if let Style::Diverging { .. } = panel.style {
+        if let Style::Diverging(_) = panel.style {
             draw_bar(&mut canvas, layout, top, scale);
         }
     }
@@ -273,14 +295,13 @@ fn draw_bar(canvas: &mut Canvas, layout: &Layout, top: usize, scale: usize) {
         // The middle of the row, from 1 at the top to -1 at the bottom.
         let value = 1.0 - (2 * row + 1) as f64 / height as f64;
         let corner = [left, top + row];
-        canvas.fill(corner, [BAR * scale, 1], tone::diverging(value, 1.0));
+        canvas.fill(corner, [BAR * scale, 1], tone::diverging(value));
     }
-    let last = layout.ticks.len() - 1;
-    for (i, tick) in layout.ticks.iter().enumerate() {
+    for (tick, place) in &layout.ticks {
         // The first and the last stay within the bar.
         let [_, text_height] = text_size(tick, scale);
-        let y = top + height.saturating_sub(text_height) * i / last;
-        canvas.text([left + (BAR + GAP / 2) * scale, y], scale, tick);
+        let y = (height.saturating_sub(text_height) as f64 * place).round() as usize;
+        canvas.text([left + (BAR + GAP / 2) * scale, top + y], scale, tick);
     }
 }
 

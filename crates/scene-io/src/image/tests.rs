@@ -89,7 +89,7 @@ fn png_shows_the_gradient_or_else_the_value() {
     let gradient = write(&file.0, &layered, &Preview::default()).expect("writable");
     assert_eq!(
         gradient.limit,
-        Some(robust_limit([&layered.layers[1].image]))
+        Some(Scale::of([&layered.layers[1].image]).limit)
     );
     let preview = Preview {
         limit: Some(0.5),
@@ -128,7 +128,7 @@ fn panels_show_non_finite_pixels() {
         image,
         style,
     };
-    let limit = robust_limit([&layered.layers[1].image]);
+    let scale = Scale::of([&layered.layers[1].image]);
     let panels = [
         panel(
             "value",
@@ -138,14 +138,14 @@ fn panels_show_non_finite_pixels() {
         panel(
             "gradient",
             &layered.layers[1].image,
-            Style::Diverging { limit },
+            Style::Diverging(scale),
         ),
-        panel("reference", &broken, Style::Diverging { limit }),
+        panel("reference", &broken, Style::Diverging(scale)),
     ];
     assert_eq!(write_panels(&file.0, &panels, &layered.metadata), Ok(1));
     let (_, _, pixels) = decode_png(&file.0);
     let magenta = pixels.chunks(3).filter(|c| *c == tone::NON_FINITE).count();
-    let zoom = 192 / 5;
+    let zoom = 384_usize.div_ceil(7);
     assert_eq!(magenta, zoom * zoom);
     let wrong = write_panels(Path::new("panels.exr"), &panels, &[]).expect_err("not a PNG");
     assert!(wrong.to_string().contains("known endings: .png"));

@@ -38,14 +38,81 @@ const DIVERGING: [[u8; 3]; 11] = [
     [103, 0, 31],
 ];
 
-/// A number between `-limit` (blue), 0 (white) and `limit` (red); beyond, the
-/// colour of the limit.
-pub(super) fn diverging(value: f64, limit: f64) -> [u8; 3] {
-    if !value.is_finite() {
+/// Which numbers the false colours stand for: `-limit` is blue, 0 white, and `limit` red; what is
+/// beyond has the colour of the limit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scale {
+    /// The number at either end, above 0.
+    pub limit: f64,
+    /// Numbers up to about this size are spread evenly, larger ones by their logarithms; infinite if all
+    /// are spread evenly.
+    pub even: f64,
+}
+
+impl Scale {
+    /// Colours that are spread evenly up to a limit.
+    pub fn even(limit: f64) -> Self {
+        Self {
+            limit,
+            even: f64::INFINITY,
+        }
+    }
+
+    /// A scale for the false colours of some images: 99 % of their means that are not zero lie within its
+    /// limit, which is rounded up to two digits (1 if there are none), and it is even up to the
+    /// median of what is not zero where that is much less. Silhouettes are often a hundred times as strong
+    /// as shadows, and both are to be seen.
+    pub fn of<'a>(images: impl IntoIterator<Item = &'a Image>) -> Self {
+        let mut sizes = sizes(images);
+        let limit = limit_of(&mut sizes);
+        let middle = sizes.len() / 2;
+        if sizes.is_empty() {
+            return Self::even(limit);
+        }
+        let (_, &mut median, _) = sizes.select_nth_unstable_by(middle, f64::total_cmp);
+        match limit > UNEVEN * median {
+            true => Self {
+                limit,
+                even: median,
+            },
+            false => Self::even(limit),
+        }
+    }
+
+    /// Where a number is on the colour bar: from -1 to 1, and beyond.
+    pub(super) fn place(&self, value: f64) -> f64 {
+        match self.even.is_finite() {
+            true => (value / self.even).asinh() / (self.limit / self.even).asinh(),
+            false => value / self.limit,
+        }
+    }
+
+    /// The numbers that a colour bar is marked with, from large to small.
+    pub(super) fn ticks(&self) -> Vec<f64> {
+        let mut above = match self.even.is_finite() {
+            true => {
+                let decades = (0..).map(|i| self.limit * 0.1_f64.powi(i));
+                decades.take_while(|&x| x > self.even).collect()
+            }
+            false => vec![self.limit, 0.5 * self.limit],
+        };
+        let below: Vec<f64> = above.iter().rev().map(|x| -x).collect();
+        above.push(0.0);
+        above.extend(below);
+        above
+    }
+}
+
+/// How many times the median the limit must be for a scale that is not even.
+const UNEVEN: f64 = 10.0;
+
+/// The colour at a place of the bar.
+pub(super) fn diverging(place: f64) -> [u8; 3] {
+    if !place.is_finite() {
         return NON_FINITE;
     }
     let last = DIVERGING.len() - 1;
-    let x = (0.5 + 0.5 * value / limit).clamp(0.0, 1.0) * last as f64;
+    let x = (0.5 + 0.5 * place).clamp(0.0, 1.0) * last as f64;
     let i = (x as usize).min(last - 1);
     let t = x - i as f64;
     std::array::from_fn(|c| {
@@ -62,13 +129,15 @@ pub(super) fn mean(colour: Rgb) -> f64 {
 /// The fraction of coloured pixels that false colours show without clamping.
 const COVERED: f64 = 0.99;
 
-/// A limit for the false colours of some images: 99 % of their finite means
-/// that are not zero lie within it. Rounded up to two digits; 1 if there are
-/// none.
-pub fn robust_limit<'a>(images: impl IntoIterator<Item = &'a Image>) -> f64 {
+/// The sizes of the finite means of pixels that are not zero.
+fn sizes<'a>(images: impl IntoIterator<Item = &'a Image>) -> Vec<f64> {
     let pixels = images.into_iter().flat_map(|image| &image.pixels);
     let sizes = pixels.map(|&pixel| mean(pixel).abs());
-    let mut sizes: Vec<f64> = sizes.filter(|&m| m.is_finite() && m > 0.0).collect();
+    sizes.filter(|&m| m.is_finite() && m > 0.0).collect()
+}
+
+/// 99 % of these numbers lie within it, rounded up to two digits; 1 if there are none.
+fn limit_of(sizes: &mut [f64]) -> f64 {
     if sizes.is_empty() {
         return 1.0;
     }
@@ -99,34 +168,61 @@ mod tests {
 
     #[test]
     fn diverging_is_symmetric_and_ends_at_its_limits() {
-        assert_eq!(diverging(0.0, 2.0), [247; 3]);
-        assert_eq!(diverging(-2.0, 2.0), DIVERGING[0]);
-        assert_eq!(diverging(2.0, 2.0), DIVERGING[10]);
-        assert_eq!(diverging(7.0, 2.0), DIVERGING[10]);
-        assert_eq!(diverging(f64::INFINITY, 2.0), NON_FINITE);
-        // Positive is red, negative is blue.
-        let (red, blue) = (diverging(1.0, 2.0), diverging(-1.0, 2.0));
-        assert!(red[0] > red[2] && blue[2] > blue[0]);
+        for scale in [
+            Scale::even(2.0),
+            Scale {
+                limit: 2.0,
+                even: 0.1,
+            },
+        ] {
+            let colour = |value| diverging(scale.place(value));
+            assert_eq!(colour(0.0), [247; 3]);
+            assert_eq!(colour(-2.0), DIVERGING[0]);
+            assert_eq!(colour(2.0), DIVERGING[10]);
+            assert_eq!(colour(7.0), DIVERGING[10]);
+            assert_eq!(colour(f64::NAN), NON_FINITE);
+            // Positive is red, negative is blue.
+            let (red, blue) = (colour(1.0), colour(-1.0));
+            assert!(red[0] > red[2] && blue[2] > blue[0]);
+        }
+    }
+
+    #[test]
+    fn scales_show_what_is_weak() {
+        let image = |weak: f64| Image {
+            width: 100,
+            height: 1,
+            pixels: (0..100)
+                .map(|i| Rgb::splat(if i < 90 { weak } else { -7.0 }))
+                .collect(),
+        };
+        assert_eq!(Scale::of([&image(0.0)]), Scale::even(7.0));
+        assert_eq!(Scale::of([&image(1.0)]), Scale::even(7.0));
+        let scale = Scale::of([&image(0.05)]);
+        assert!(scale.limit == 7.0 && (scale.even - 0.05).abs() < 1e-12);
+        assert!(scale.place(0.05) > 0.15 && scale.place(0.7) < 0.6);
+        assert_eq!(scale.ticks().len(), 7);
+        assert_eq!(Scale::even(4.0).ticks(), [4.0, 2.0, 0.0, -2.0, -4.0]);
     }
 
     #[test]
     fn limits_ignore_outliers_and_zeros() {
         let mut image = Image::new(100, 100);
-        assert_eq!(robust_limit([&image]), 1.0);
+        assert_eq!(Scale::of([&image]).limit, 1.0);
         for (i, pixel) in image.pixels[..1000].iter_mut().enumerate() {
             *pixel = Rgb::splat(-0.001 * (i as f64 + 1.0));
         }
         image.pixels[0] = Rgb::splat(1e9);
         image.pixels[1] = Rgb::splat(f64::NAN);
         // 99 % of 0.003 to 1 and 1e9 lie below 0.993.
-        assert_eq!(robust_limit([&image]), 1.0);
+        assert_eq!(Scale::of([&image]).limit, 1.0);
         image.pixels.truncate(400);
-        assert_eq!(robust_limit([&image]), 0.4);
+        assert_eq!(Scale::of([&image]).limit, 0.4);
         let tiny = Image {
             width: 1,
             height: 1,
             pixels: vec![Rgb::splat(1.234e-7)],
         };
-        assert_eq!(robust_limit([&tiny]), 1.3e-7);
+        assert_eq!(Scale::of([&tiny]).limit, 1.3e-7);
     }
 }

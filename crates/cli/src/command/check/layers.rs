@@ -2,7 +2,7 @@
 //! how both were made, and for previews the four of them side by side.
 
 use anyhow::Result;
-use capwalk::scene_io::image::{self, LayeredImage, Panel, Style};
+use capwalk::scene_io::image::{LayeredImage, Panel, Scale, Style};
 use capwalk::{Check, Comparison, Image, Rgb};
 
 use super::timed::Checked;
@@ -78,7 +78,7 @@ fn panels<'a>(check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
         &check.gradient.gradient.mean,
         &check.reference.gradient.mean,
     );
-    let limit = image::robust_limit([gradient, reference]);
+    let scale = Scale::of([gradient, reference]);
     let panel = |title, image, style| Panel {
         title,
         image,
@@ -90,9 +90,9 @@ fn panels<'a>(check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
             &check.gradient.value.mean,
             Style::Photographic { exposure: 0.0 },
         ),
-        panel("gradient", gradient, Style::Diverging { limit }),
-        panel("reference", reference, Style::Diverging { limit }),
-        panel("z", z, Style::Diverging { limit: Z_LIMIT }),
+        panel("gradient", gradient, Style::Diverging(scale)),
+        panel("reference", reference, Style::Diverging(scale)),
+        panel("z", z, Style::Diverging(Scale::even(Z_LIMIT))),
     ]
 }
 
