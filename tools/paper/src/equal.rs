@@ -1,7 +1,7 @@
 //! Methods at equal samples: what figures 1 and 9 have in common.
 
 use capwalk_diff::{Method, WalkSettings, check};
-use capwalk_scene_io::image::{Style, robust_limit};
+use capwalk_scene_io::image::{Scale, Style};
 
 use crate::claim::{self, Claim, Measured, Verdict};
 use crate::fields::{ON_TRIANGLES, WasSettings, psdr_was, was};
@@ -103,7 +103,7 @@ pub fn draw(comparison: &Comparison, settings: &Settings) -> Result<Figure, Fail
 
     let reaches = reach::measure(subject, 100, settings)?;
 
-    let limit = robust_limit([&reference.gradient().mean]);
+    let limit = Scale::of([&reference.gradient().mean]).limit;
     let image = Shown {
         title: "image".into(),
         image: reference.image.value.mean.clone(),

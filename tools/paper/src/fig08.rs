@@ -5,7 +5,7 @@ use capwalk_diff::{Estimate, check};
 use capwalk_geometry::{Mesh, SilhouettePoint, SilhouetteTree, topology};
 use capwalk_math::{Moments, Rgb, Vec2, Vec3, sphere};
 use capwalk_scene::Image;
-use capwalk_scene_io::image::{Style, robust_limit};
+use capwalk_scene_io::image::{Scale, Style};
 use capwalk_walk::{Domain, Sphere, WalkSettings, sample_field, sample_value};
 use rayon::prelude::*;
 
@@ -232,12 +232,16 @@ fn shown(images: &Images) -> Vec<Shown> {
     let shown = |title: &str, image: &Image, limit: f64| Shown {
         title: title.into(),
         image: image.clone(),
-        style: Style::Diverging { limit },
+        style: Style::Diverging(Scale::even(limit)),
     };
     let derivatives = [&images.derivative.mean, &images.difference.mean];
-    let limit = robust_limit(derivatives);
+    let limit = Scale::of(derivatives).limit;
     vec![
-        shown("(a) values", &images.value, robust_limit([&images.value])),
+        shown(
+            "(a) values",
+            &images.value,
+            Scale::of([&images.value]).limit,
+        ),
         shown("(b) derivative", derivatives[0], limit),
         shown("(c) differences", derivatives[1], limit),
     ]

@@ -2,7 +2,7 @@
 
 use capwalk_diff::{Method, WalkSettings};
 use capwalk_math::Moments;
-use capwalk_scene_io::image::robust_limit;
+use capwalk_scene_io::image::Scale;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};
 use crate::figure::{Figure, Row, Table};
@@ -56,7 +56,7 @@ pub fn draw(settings: &Settings) -> Result<Figure, Failure> {
         runs.push((steps, run, error));
     }
 
-    let limit = robust_limit([&reference.gradient().mean]);
+    let limit = Scale::of([&reference.gradient().mean]).limit;
     let mut images = vec![("reference".into(), reference.gradient())];
     for (steps, run, error) in &runs {
         let title = format!(

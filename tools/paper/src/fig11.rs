@@ -3,7 +3,7 @@
 
 use capwalk_diff::{Estimate, Method, WalkSettings, check};
 use capwalk_scene::Image;
-use capwalk_scene_io::image::robust_limit;
+use capwalk_scene_io::image::Scale;
 
 use crate::claim::{self, Claim, Measured, Verdict, digits};
 use crate::figure::{Figure, Row, Table};
@@ -151,7 +151,7 @@ fn draw_case(
             verdict: Verdict::Inconclusive(reason.clone()),
         }),
     }
-    let limit = robust_limit([&ours.gradient().mean]);
+    let limit = Scale::of([&ours.gradient().mean]).limit;
     figure.rows.push(Row::Images(shown(&images, limit)));
     Ok(())
 }

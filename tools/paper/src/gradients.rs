@@ -9,7 +9,7 @@ use capwalk_diff::{
 };
 use capwalk_math::{Moments, Rgb};
 use capwalk_scene::{Film, Filter, Scene, Tangent, builtin, params};
-use capwalk_scene_io::image::Style;
+use capwalk_scene_io::image::{Scale, Style};
 use cpu_time::ProcessTime;
 
 use crate::claim::Measured;
@@ -150,7 +150,7 @@ pub fn shown(images: &[(String, &Estimate)], limit: f64) -> Vec<Shown> {
     let shown = images.iter().map(|(title, estimate)| Shown {
         title: title.clone(),
         image: estimate.mean.clone(),
-        style: Style::Diverging { limit },
+        style: Style::Diverging(Scale::even(limit)),
     });
     shown.collect()
 }

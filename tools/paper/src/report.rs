@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use capwalk_scene_io::image::{self, ImageError, Style};
+use capwalk_scene_io::image::{self, ImageError, Scale, Style};
 
 use crate::claim::{Claim, Verdict, digits};
 use crate::curves;
@@ -127,7 +127,7 @@ fn image(shown: &Shown, columns: usize) -> Result<String, ImageError> {
         shown.image.height * zoom,
         escape(&shown.title),
     );
-    if let Style::Diverging { limit } = shown.style {
+    if let Style::Diverging(Scale { limit, .. }) = shown.style {
         let bar = data_uri(&image::colour_bar_as_png()?);
         let limit = digits(limit);
         let _ = write!(
