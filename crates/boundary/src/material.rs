@@ -48,13 +48,18 @@ pub fn may_be_specular(scene: &Scene, id: BsdfId) -> bool {
     })
 }
 
-/// True if a material blends two that refract light in one direction each.
-pub fn is_blend_of_refracting(scene: &Scene, id: BsdfId) -> bool {
-    let refracts = |&part: &BsdfId| any_part(scene, part, |bsdf| bsdf.traits().refracts);
-    match &scene.material(id).bsdf {
-        Bsdf::Blend { nested, .. } => nested.iter().all(refracts),
-        _ => false,
-    }
+/// True if a material blends two that may refract light in two directions, or reflect it, with a normal map in one of
+/// them.
+pub fn blends_images(scene: &Scene, id: BsdfId) -> bool {
+    let Bsdf::Blend { nested, .. } = &scene.material(id).bsdf else {
+        return false;
+    };
+    let both = |has: fn(&MaterialTraits) -> bool| {
+        let has = |&part: &BsdfId| any_part(scene, part, |bsdf| has(&bsdf.traits()));
+        nested.iter().all(has)
+    };
+    let is_turned = nested.iter().any(|&part| scene.map_in(part).is_some());
+    both(|traits| traits.refracts) || is_turned && both(|traits| traits.is_specular)
 }
 
 /// True if a material does nothing but reflect or refract light in one direction.

@@ -135,8 +135,8 @@ pub enum Refusal {
         /// The method.
         method: &'static str,
     },
-    /// A blend refracts light in two directions at once, and a field along a chain follows one.
-    TwoRefractions {
+    /// A blend refracts or reflects light in two directions at once, and a field along a chain follows one.
+    TwoImages {
         /// Name of the material.
         material: String,
     },
@@ -351,10 +351,10 @@ impl Refusal {
                 ),
                 instead("Use fields on the sphere, the default, which do"),
             ),
-            Self::TwoRefractions { material } => (
+            Self::TwoImages { material } => (
                 format!(
-                    "the material \"{material}\" blends two that refract light in different directions, \
-                     and what moves behind it has two images"
+                    "the material \"{material}\" blends two that refract or reflect light in different \
+                     directions, and what moves there has two images"
                 ),
                 instead("Use one of them, or two surfaces"),
             ),

@@ -7,7 +7,7 @@ use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 use crate::clip::refuse_clipped;
 use crate::material::{
-    depends_on_rotation, is_blend_of_refracting, may_be_specular, tangents_of_face, textures_of,
+    blends_images, depends_on_rotation, may_be_specular, tangents_of_face, textures_of,
 };
 use crate::method::Method;
 use crate::refusal::Refusal;
@@ -163,13 +163,13 @@ pub fn refuse_cut_normals(
 /// A refusal if something can be seen in mirrors or through transparent surfaces, and the method's field has no
 /// silhouettes there, or one of these shows it twice by the same events.
 pub fn refuse_specular(scene: &Scene, method: &Method) -> Result<(), Refusal> {
-    let two = |id: &BsdfId| is_blend_of_refracting(scene, *id);
+    let two = |id: &BsdfId| blends_images(scene, *id);
     let mut blends = scene
         .shapes
         .iter()
         .flat_map(|shape| scene.materials_below(shape.bsdf));
     if let Some(id) = blends.find(two) {
-        return Err(Refusal::TwoRefractions {
+        return Err(Refusal::TwoImages {
             material: scene.material(id).id.clone(),
         });
     }

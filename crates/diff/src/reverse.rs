@@ -343,7 +343,7 @@ impl<'a> BackwardWork<'a> {
         let is_asked_for = |id: TextureId| wanted.textures[id.0 as usize];
         refuse_infinite_derivatives(scene, is_asked_for)?;
         let turns = wanted.normals.contains(&true);
-        refuse_cut_normals(scene, turns || wanted.geometry(), is_asked_for)?;
+        refuse_cut_normals(scene, turns || self.facts.turns_light(), is_asked_for)?;
         if self.facts.turns_light() {
             refuse_motion(accel, &options.method)?;
             refuse_specular(scene, &options.method)?;

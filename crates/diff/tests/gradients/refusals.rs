@@ -29,13 +29,37 @@ fn motion_behind_a_blend_of_glasses() {
         Bsdf::Blend { weight, nested }
     });
     for (name, why) in [
-        ("lamp.translate.x", "refract light in different directions"),
+        ("lamp.translate.x", "refract or reflect light in different"),
         ("lamp.emitter.radiance.value", ""),
     ] {
         for reason in refusals(&scene, &tangent(&scene, name)) {
             let reason = reason.unwrap_or_default();
             let is_right = reason.contains(why) && reason.is_empty() == why.is_empty();
             assert!(is_right, "{name}: {reason}");
+        }
+    }
+}
+
+/// So has what moves before a blend of two mirrors if one of them has other normals, but not before two plain ones.
+#[test]
+fn motion_before_a_blend_of_mirrors() {
+    for has_map in [false, true] {
+        let mut scene = shadow_stage();
+        (scene.film.size, scene.film.crop_size) = ([4; 2], [4; 2]);
+        unit_square(&mut scene, "floor");
+        make(&mut scene, "floor", |n| {
+            let mirror = n.mirror();
+            let mut nested = ["first", "second"].map(|name| n.part(name, mirror));
+            if has_map {
+                let mapped = n.normal_map(nested[1]);
+                nested[1] = n.part("mapped", mapped);
+            }
+            let weight = n.number("weight", 0.5);
+            Bsdf::Blend { weight, nested }
+        });
+        for reason in refusals(&scene, &tangent(&scene, "lamp.translate.x")) {
+            let is_refused = reason.is_some_and(|reason| reason.contains("has two images"));
+            assert_eq!(is_refused, has_map);
         }
     }
 }
@@ -113,6 +137,8 @@ fn maps_that_cut_light_off() {
             let nested = n.diffuse("nested", [0.5; 3]);
             n.normal_map(nested)
         });
+        add(&mut scene, "thing", triangle(), ShadingNormals::Face, 0.5);
+        make(&mut scene, "thing", |n| n.glass());
         for material in &mut scene.materials {
             if let Bsdf::NormalMap { limits, .. } = &mut material.bsdf {
                 (limits.flip_invalid, limits.shadowing) = (flip_invalid, shadowing);
@@ -120,8 +146,9 @@ fn maps_that_cut_light_off() {
         }
         refusals(&scene, &tangent(&scene, name)).map(|reason| reason.unwrap_or_default())
     };
-    let (moves, turns, colours) = (
+    let (moves, bends, turns, colours) = (
         "lamp.translate.x",
+        "thing.bsdf.int_ior",
         "floor.bsdf.normalmap.data",
         "lamp.emitter.radiance.value",
     );
@@ -129,6 +156,7 @@ fn maps_that_cut_light_off() {
         ([true, true], moves, ""),
         ([true, true], turns, ""),
         ([false, true], moves, "`flip_invalid_normals`"),
+        ([false, true], bends, "`flip_invalid_normals`"),
         ([false, true], turns, "`flip_invalid_normals`"),
         ([false, false], colours, ""),
         ([true, false], moves, "`use_shadowing_function`"),
