@@ -15,7 +15,12 @@ use capwalk_scene::*;
 
 /// A cube beside or in a smooth ball under a sky.
 fn beside_a_ball(thing: Vec3) -> Scene {
-    let mut scene = empty(v(0.0, -4.0, 0.6), v(0.0, 0.0, 0.0), 24.0, 24);
+    seen_from(v(0.0, -4.0, 0.6), v(0.0, 0.0, 0.0), 24.0, thing)
+}
+
+/// The same, as a camera sees it that looks from one point to another.
+fn seen_from(from: Vec3, to: Vec3, fov: f64, thing: Vec3) -> Scene {
+    let mut scene = empty(from, to, fov, 24);
     let ball = placed(icosphere(2), Affine::scale(Vec3::splat(0.6)));
     let normals = ShadingNormals::computed(&ball);
     add(&mut scene, "ball", ball, normals, 0.5);
@@ -110,5 +115,44 @@ fn no_light_is_lost() {
             "{name}: {found} {all} ± {error}"
         );
         assert!(error < 0.02 * all, "{name}");
+    }
+}
+
+/// Where images are magnified or shrunk without bound, and where refraction ends, no sample is lost: derivatives and
+/// their errors are finite, and both modes agree.
+#[test]
+fn numbers_are_finite_where_derivatives_have_no_bound() {
+    // The edges of a glowing cube half-way between the centre of a concave mirror and that.
+    let mut focus = seen_from(
+        v(0.0, -0.5, 0.05),
+        v(0.0, 0.6, 0.0),
+        50.0,
+        v(0.02, 0.3, 0.0),
+    );
+    make(&mut focus, "ball", |n| n.mirror());
+    let radiance = focus.add_texture(Texture::colour("glow", Rgb::new(3.0, 2.0, 1.0)));
+    let shape = ShapeId(focus.shapes.len() as u32 - 1);
+    focus.shape_mut(shape).emitter = Some(EmitterId(focus.emitters.len() as u32));
+    focus.emitters.push(Emitter::Area { shape, radiance });
+    // The limb of a mirror ball, from near.
+    let mut limb = seen_from(v(0.0, -4.0, 0.0), v(0.59, 0.0, 0.0), 1.0, v(1.2, 0.3, 0.0));
+    make(&mut limb, "ball", |n| n.mirror());
+    // Out of a glass ball, where light begins to be reflected totally.
+    let mut critical = seen_from(v(0.0, -0.5, 0.1), v(0.45, 0.3, 0.1), 60.0, v(1.2, 1.0, 0.1));
+    make(&mut critical, "ball", |n| n.glass());
+    for (name, mut scene) in [
+        ("focus", focus),
+        ("limb", limb),
+        ("critical angle", critical),
+    ] {
+        small(&mut scene, 4);
+        let motion = everything(&scene, 7);
+        let prepared = PreparedScene::new(scene);
+        let options = settings(64);
+        let found = gradient(&prepared, &motion, &options, &Unwatched).expect("covered");
+        assert_eq!(found.statistics.non_finite, 0, "{name}");
+        let (_, error) = sum(&found.gradient);
+        assert!(error.is_finite() && error > 0.0, "{name}: {error}");
+        agree_by(name, &prepared, &motion, &settings(16));
     }
 }
