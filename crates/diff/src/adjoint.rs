@@ -108,7 +108,7 @@ impl Wanted {
         texels.sum::<u64>() + points
     }
 
-    /// True if curves in the image depend on something wanted.
+    /// True if geometry, emitters or the camera's rays depend on something wanted.
     pub fn geometry(&self) -> bool {
         let rays_move = self.sensor_origin || self.sensor_axes || self.aperture;
         rays_move || self.shapes.contains(&true) || self.emitters.contains(&true)

@@ -101,7 +101,7 @@ const CAMERA_POINTS_TRIED: [u32; 2] = [4, 16];
 
 impl Pilot<'_> {
     /// The method of the least variance × time. `Walk` if nothing was tried because nothing needs a
-    /// choice: no curve in the image moves.
+    /// choice: neither geometry nor the sensor moves.
     pub fn choose(&self) -> Chosen {
         let mut trials = Trials::default();
         let mut options = *self.options;

@@ -8,9 +8,10 @@
 //! A(q) = min( a_0, min_i a_i c_i / s_i )
 //! ```
 //!
-//! with `s_i / c_i` a guess of how much the chain magnifies: `s_i` is a constant, and `c_i` the smallest cosine
-//! of a ray with the normal at its vertices. A walk needs no more than that it is continuous, and zero on the
-//! boundary; elsewhere it vanishes only where the image shrinks to nothing (`c_i = 0`).
+//! or less where rays may dip below faces ([`Dips`]), with `s_i / c_i` a guess of how much the chain magnifies: `s_i` is
+//! a constant, and `c_i` the smallest cosine of a ray with the normal at its vertices. A walk needs no more than that it
+//! is continuous, and zero on the boundary; elsewhere it vanishes only where the image shrinks to nothing (`c_i = 0`), or
+//! on edges where rays may dip.
 
 use std::cell::Cell;
 use std::f64::consts::PI;

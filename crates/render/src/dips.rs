@@ -2,13 +2,13 @@
 //! interpolated normals, so near grazing angles they can leave on the wrong side of the face that they meet: light ends
 //! there along curves inside faces, and along edges between them that are discontinuities nowhere else.
 
-use std::collections::HashMap;
-
+use capwalk_boundary::may_be_specular;
+use capwalk_geometry::topology;
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::{Scene, Shape, SurfacePoint};
 
-/// The least sine of such an angle, in the whole of a shape, for which its dips count. On finer meshes what they move is
-/// small, and the noise of telling it is large.
+/// A shape is coarse, and its dips count, if the median of the sines of its vertices is at least this. On finer meshes
+/// what they move is small, and the noise of telling it is large.
 const COARSE: f64 = 0.15;
 
 /// How much the interpolated normals of shapes turn away from their faces.
@@ -23,7 +23,11 @@ impl Dips {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Self {
         Self {
-            sines: scene.shapes.iter().map(|shape| sines(shape)).collect(),
+            sines: scene
+                .shapes
+                .iter()
+                .map(|shape| sines(scene, shape))
+                .collect(),
         }
     }
 
@@ -42,28 +46,37 @@ impl Dips {
 }
 
 /// Those of the vertices of a shape.
-fn sines(shape: &Shape) -> Vec<f64> {
-    let Some(normals) = shape.normals.per_vertex() else {
+fn sines(scene: &Scene, shape: &Shape) -> Vec<f64> {
+    let normals = shape.normals.per_vertex();
+    let Some(normals) = normals.filter(|_| may_be_specular(scene, shape.bsdf)) else {
         return Vec::new();
     };
     // Vertices at one place count as one: the sine must be continuous wherever normals are.
-    let positions = &shape.mesh.positions;
-    let place = |i: u32| positions[i as usize].to_array().map(f64::to_bits);
-    let mut largest: HashMap<[u64; 3], f64> = HashMap::new();
-    for (face, &corners) in shape.mesh.faces.iter().enumerate() {
-        let normal = shape.mesh.face_cross(face).normalized();
-        let turned = corners.map(|i| normals[i as usize].normalized().cross(normal).length());
-        // A face without area has NaN, which counts for nothing: no ray meets it.
-        let most = turned.into_iter().fold(0.0, f64::max).min(1.0);
-        for corner in corners {
-            let known = largest.entry(place(corner)).or_default();
-            *known = most.max(*known);
+    let mesh = &shape.mesh;
+    let places = topology::weld(&mesh.positions);
+    let mut largest = vec![0.0; mesh.positions.len()];
+    for (face, corners) in mesh.faces.iter().enumerate() {
+        let corner_normals = corners.map(|i| normals[i as usize].normalized());
+        let [a, b, c] = corner_normals;
+        let normal = mesh.face_cross(face).normalized();
+        let outside = normal * (a + b + c).dot(normal).signum();
+        let sine = |turned: Vec3| match turned.dot(outside) > 0.0 {
+            true => turned.cross(outside).length().min(1.0),
+            false => 1.0,
+        };
+        // No ray meets a face without area.
+        if normal.is_finite() {
+            let most = corner_normals.map(sine).into_iter().fold(0.0, f64::max);
+            for &i in corners {
+                let known = &mut largest[places[i as usize] as usize];
+                *known = most.max(*known);
+            }
         }
     }
-    if largest.values().all(|&sine| sine < COARSE) {
-        return Vec::new();
-    }
-    let vertices = 0..positions.len() as u32;
-    let sine = |i| largest.get(&place(i)).copied().unwrap_or_default();
-    vertices.map(sine).collect()
+    let sines: Vec<f64> = places.iter().map(|&i| largest[i as usize]).collect();
+    let mut sorted = sines.clone();
+    let middle = sorted.len() / 2;
+    let is_coarse =
+        middle < sorted.len() && *sorted.select_nth_unstable_by(middle, f64::total_cmp).1 >= COARSE;
+    if is_coarse { sines } else { Vec::new() }
 }
