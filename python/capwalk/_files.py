@@ -62,15 +62,16 @@ def load_mesh(
 
 def save_mesh(path: str | os.PathLike[str], mesh: Mapping[str, object]) -> None:
     """Writes a mesh to a ``.ply`` file, binary and in double precision, so that :func:`load_mesh`
-    gives the same numbers. Other formats are not written. A shape of a scene::
+    gives the same numbers, normals as unit vectors. Other formats are not written, and neither is
+    ``"face_normals"``, which a file has no place for. A shape of a scene::
 
         positions = cw.traverse(scene)["bunny.positions"]
         cw.save_mesh("bunny.ply", {"positions": positions, "faces": scene.faces("bunny")})
 
     :param mesh: its arrays, named as by :func:`load_mesh`: ``"positions"`` and ``"faces"``, and
         perhaps ``"normals"``, ``"uvs"``, ``"vertex_..."`` and ``"face_..."``.
-    :raises ArgumentError: an array is missing or has another shape, or something is no array of a
-        mesh.
+    :raises ArgumentError: an array is missing or has another shape, there is no face, something is
+        no array of a mesh, or a name has blanks.
     :raises MeshError: the file cannot be written, or its name has another ending.
     """
     if not isinstance(mesh, Mapping):
@@ -84,6 +85,13 @@ def save_mesh(path: str | os.PathLike[str], mesh: Mapping[str, object]) -> None:
     if others:
         names = ", ".join(f'"{name}"' for name, _, _ in others)
         raise ArgumentError(f"a .ply file has no place for {names}; leave them out of the mesh")
+    for name, _ in arrays:
+        if not name.isprintable() or " " in name:
+            raise ArgumentError(
+                f"a .ply file has no place for blanks in the name {name!r}; rename the array"
+            )
+    if len(faces) == 0:
+        raise ArgumentError("the mesh has no faces; expected at least one, or no file can be read")
     _capwalk.write_mesh(os.fspath(path), arrays, faces)
 
 

@@ -132,6 +132,11 @@ def test_a_shape_of_a_scene_is_saved(tmp_path: Path, scene: cw.Scene) -> None:
         ({"positions": np.eye(3), "faces": [[0, 1, 2]], "uvs": np.eye(2)}, r"expected \(3, 2\)"),
         ({"positions": np.eye(3), "faces": [[0, 1, 2]], "bsdf": {}}, 'no place for "bsdf"'),
         ({"positions": np.eye(3), "faces": [[0, 1, 2]], "type": "ply"}, 'no place for "type"'),
+        ({"positions": np.eye(3), "faces": np.zeros((0, 3))}, "the mesh has no faces"),
+        (
+            {"positions": np.eye(3), "faces": [[0, 1, 2]], "vertex_a b": np.ones((3, 1))},
+            "blanks in the name 'vertex_a b'",
+        ),
     ],
 )
 def test_what_is_no_mesh_is_not_written(mesh: dict[str, Any], error: str, tmp_path: Path) -> None:

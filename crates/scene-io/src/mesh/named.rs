@@ -14,7 +14,7 @@ use super::serialized::read_serialized;
 use crate::atomic;
 use crate::files::read_file;
 
-/// Which mesh of a file is meant. By default there must be one.
+/// Which mesh of a file is meant. By default there must be one in a glTF file, and it is the first of a `.serialized` one.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct MeshChoice {
     /// Of a glTF file.
