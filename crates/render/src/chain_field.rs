@@ -530,6 +530,7 @@ mod tests {
     use capwalk_scene::{BsdfId, Material, Scene, ShadingNormals, Shape, Texture, builtin};
 
     use super::*;
+    use crate::still::Still;
 
     /// A mirror ball before a built-in scene's camera, beside what that sees.
     fn with_mirror_ball(subdivisions: u32) -> Scene {
@@ -559,9 +560,9 @@ mod tests {
     }
 
     /// Directions of the camera.
-    fn directions(accel: &Accel) -> impl Iterator<Item = Vec3> {
+    fn directions(accel: &Accel, count: u32) -> impl Iterator<Item = Vec3> {
         let [width, height] = accel.scene.film.size.map(f64::from);
-        (0..300).map(move |i| {
+        (0..count).map(move |i| {
             let [x, y] = [0.618_034, 0.414_214].map(|k| (f64::from(i) * k).fract());
             accel.view.direction([width * x, height * y])
         })
@@ -593,7 +594,7 @@ mod tests {
         let event = Event::Reflect;
         // Of how many directions the closest one is a silhouette of a smooth mesh or not, where that is all it can be.
         let mut found = [[0, 0], [0, 0]];
-        for (q, last) in directions(&accel).flat_map(|q| [(q, false), (q, true)]) {
+        for (q, last) in directions(&accel, 300).flat_map(|q| [(q, false), (q, true)]) {
             let ray = Start::Camera(accel.view).bounded_ray(&accel, q);
             let Some(after) = next_link(&accel, &ray, event) else {
                 continue;
@@ -658,7 +659,7 @@ mod tests {
                     (None, Boundary::Edge(ends, _)) => (0, Some(ends)),
                 })
             };
-            for q in directions(&accel) {
+            for q in directions(&accel, 300) {
                 let Some(nearest) = sphere.closest(q, 3.0) else {
                     continue;
                 };
@@ -698,6 +699,64 @@ mod tests {
         assert!(enough, "{compared:?}");
     }
 
+    /// Where a coarse mirror's rays are nearly in the plane of a face, they stay at the same height over it as the
+    /// viewpoint moves.
+    #[test]
+    fn planes_of_faces_are_followed() {
+        let accel = Accel::new(with_mirror_ball(1));
+        let boundaries = Boundaries::new(&accel);
+        let field = Field::new(&accel, &boundaries, Method::Walk);
+        let moves = Vec3::new(0.3, -0.5, 0.4);
+        let position = accel.view.origin.with_tangent(moves);
+        let chain = ChainField::<Dual<1>> {
+            field: &field,
+            viewpoint: &Viewpoint::towards_surfaces(position, Vec3::new(0.0, 0.0, 1.0), 0),
+            start: &Start::Surface(position),
+            events: &[Event::Reflect],
+            magnifications: &Magnifications::of(&accel),
+            dips: &Dips::of(&accel.scene),
+        };
+        let viewpoints = chain.viewpoints();
+        let settings = WalkSettings::default();
+        let sphere = chain.sphere(&viewpoints, &settings);
+        let height = |origin: Vec3, q: Vec3| {
+            let after = next_link(&accel, &accel.surface_ray(origin, q), Event::Reflect)?;
+            Some((after.ray[1].dot(after.face_normal), after.link.hit.face))
+        };
+        let mut compared = 0;
+        for q in directions(&accel, 20_000) {
+            let Some(Nearest { site, .. }) = sphere.closest(q, 3.0) else {
+                continue;
+            };
+            let Site::OnChain(seen) = site else {
+                continue;
+            };
+            let is_face = matches!((seen.boundary, seen.dips_after), (Boundary::Face, None));
+            if !is_face || seen.angle > 0.01 {
+                continue;
+            }
+            let velocity = sphere.velocity(&Still(&accel), &site).expect("on a chain");
+            let step = 1e-6;
+            let origin = accel.view.origin;
+            let at = |by: f64| {
+                height(
+                    origin + moves * step,
+                    (q + velocity.tangent(0) * by).normalized(),
+                )
+            };
+            let (Some(before), Some(stays), Some(follows)) = (height(origin, q), at(0.0), at(step))
+            else {
+                continue;
+            };
+            if [stays.1, follows.1] == [before.1; 2] {
+                let [lost, left] = [stays.0, follows.0].map(|after| (after - before.0).abs());
+                assert!(left < 0.3 * lost, "{seen:?}: {left} of {lost}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 20, "{compared}");
+    }
+
     /// Without events it is the field around the viewpoint, to the bit.
     #[test]
     fn a_chain_without_events_is_the_ordinary_field() {
@@ -722,7 +781,7 @@ mod tests {
         let chained = chain.sphere(&viewpoints, &settings);
         let direct = direct_sphere(&field, &viewpoint);
         let mut count = 0;
-        for (i, q) in (0..).zip(directions(&accel)) {
+        for (i, q) in (0..).zip(directions(&accel, 300)) {
             let random = |k: u32| (f64::from(i * 7 + k) * 0.754_877_67).fract();
             let [a, b] = [
                 sample_field(&chained, q, &settings, random).map(|site| match site {
