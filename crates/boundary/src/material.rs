@@ -62,15 +62,17 @@ pub fn blends_images(scene: &Scene, id: BsdfId) -> bool {
     both(|traits| traits.refracts) || is_turned && both(|traits| traits.is_specular)
 }
 
-/// True if a material does nothing but reflect or refract light in one direction.
+/// True if a material does nothing but reflect, refract or pass light in one direction.
 pub fn is_purely_specular(scene: &Scene, id: BsdfId) -> bool {
-    let material = &scene.material(id).bsdf;
-    match material {
+    let all = |nested: &[BsdfId]| nested.iter().all(|&part| is_purely_specular(scene, part));
+    match &scene.material(id).bsdf {
         Bsdf::Plain(Lobe::Conductor(_) | Lobe::Dielectric(_) | Lobe::ThinDielectric(_)) => true,
-        Bsdf::TwoSided { front, back } => [front, back]
-            .into_iter()
-            .all(|&side| is_purely_specular(scene, side)),
-        _ => false,
+        Bsdf::TwoSided { front, back } => all(&[*front, *back]),
+        Bsdf::Mask { nested, .. }
+        | Bsdf::NormalMap { nested, .. }
+        | Bsdf::BumpMap { nested, .. } => all(&[*nested]),
+        Bsdf::Blend { nested, .. } => all(nested),
+        Bsdf::Plain(_) => false,
     }
 }
 

@@ -73,8 +73,7 @@ impl ImageFile {
     pub fn open(path: &Path) -> Result<Self, ImageError> {
         let format = format(path, READABLE)?;
         let source = || {
-            let file = open_file(path)
-                .map_err(|error| format!("{error}; expected an image (.exr or .npz)"))?;
+            let file = open_file(path).map_err(|error| format!("{error}; expected an image"))?;
             Ok(BufReader::new(file))
         };
         let layers = match format {
