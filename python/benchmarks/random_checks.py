@@ -1,7 +1,7 @@
 """Random scenes, each with a derivative that is checked against finite differences.
 
     python python/benchmarks/random_checks.py CAPWALK [--scenes N] [--first SEED] [--seconds S]
-        [--keep FOLDER]
+        [--width PIXELS] [--keep FOLDER]
 
 CAPWALK is the program. Each scene has a floor, sometimes walls, one to four shapes with materials of
 all kinds, one or two emitters of all kinds, and a camera; something in it moves or changes colour.
@@ -31,14 +31,16 @@ ENOUGH = 0.9
 """The part of the seconds that a run must take."""
 TOO_MUCH = 1.25
 """The part of the seconds that a run may take, unless it has the fewest samples."""
-WIDTH, HEIGHT = 40, 30
+WIDTH = 40
 
 
 class Scene:
     """A scene file at random, and a number of it that changes."""
 
-    def __init__(self, seed: int) -> None:
+    def __init__(self, seed: int, width: int) -> None:
         self.random = random.Random(seed)
+        self.size = width, width * 3 // 4
+        """Of the image, pixels."""
         self.moving: list[str] = []
         """Parameters that move geometry, emitters or the camera."""
         self.still: list[str] = []
@@ -78,7 +80,7 @@ class Scene:
     <lookat origin="{at[0]}, {at[1]}, {at[2]}" target="0, 0, 0.4" up="0, 0, 1"/>
   </transform>
   <film type="hdrfilm">
-    <integer name="width" value="{WIDTH}"/><integer name="height" value="{HEIGHT}"/>
+    <integer name="width" value="{self.size[0]}"/><integer name="height" value="{self.size[1]}"/>
     <rfilter type="{rfilter}"/>
   </film>
   <sampler type="independent"/>
@@ -242,6 +244,7 @@ def main() -> None:
     parser.add_argument("--scenes", type=int, default=200)
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=2.0)
+    parser.add_argument("--width", type=int, default=WIDTH)
     parser.add_argument("--keep", type=Path)
     parser.add_argument("--keep-all", action="store_true")
     chosen = parser.parse_args()
@@ -249,7 +252,7 @@ def main() -> None:
     times: list[float] = []
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(chosen.first, chosen.first + chosen.scenes):
-            scene = Scene(seed)
+            scene = Scene(seed, chosen.width)
             file = Path(folder, f"{seed}.xml")
             file.write_text(scene.text)
             verdict, rest, taken = checked(
