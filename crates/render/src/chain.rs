@@ -4,7 +4,6 @@
 use capwalk_boundary::{Accel, Stream, bounded_ray};
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Vec3};
-use capwalk_scene::SurfacePoint;
 use capwalk_scene::lobe::{Event, Specular};
 use capwalk_scene::sensor::view::View;
 
@@ -88,8 +87,6 @@ pub struct AfterLink {
     pub face_normal: Vec3,
     /// [`Bent::cosine`] of this event.
     pub cosine: f64,
-    /// [`Bent::leaving`].
-    pub leaving: Option<(SurfacePoint<f64>, f64)>,
 }
 
 /// A moving ray after some events.
@@ -100,8 +97,6 @@ pub struct Bent<R> {
     /// The smallest cosine of the rays before and after each event with the normal there: where it vanishes, images are
     /// shrunk without bound.
     pub cosine: R,
-    /// If the last event was no pass, where that was, and the cosine of the ray after it with the normal there.
-    pub leaving: Option<(SurfacePoint<R>, R)>,
 }
 
 /// What a ray meets first, if that has an event of this kind for it, and the ray after that.
@@ -117,14 +112,13 @@ pub fn next_link(accel: &Accel, ray: &Ray, event: Event) -> Option<AfterLink> {
         return None;
     }
     let ([_, direction], _) = vertex.specular(own_event(&vertex, event)?, incoming);
-    let [before, leaving] = cosines(&vertex, direction);
+    let cosine = cosine(&vertex, direction);
     // Where all light is reflected, nothing is refracted.
     direction.is_finite().then_some(AfterLink {
         link: Link { hit, event },
         ray: [surface.position, direction],
         face_normal: surface.face_normal,
-        cosine: before.min(leaving),
-        leaving: (event != Event::Pass).then_some((surface.point, leaving)),
+        cosine,
     })
 }
 
@@ -134,9 +128,10 @@ fn own_event<R: Real>(vertex: &Vertex<R>, event: Event) -> Option<Specular> {
     events.find(|own| own.event == event)
 }
 
-/// The cosines of the rays before and after an event with the normal.
-fn cosines<R: Real>(vertex: &Vertex<R>, direction: Vec3<R>) -> [R; 2] {
-    [vertex.wi, vertex.frame.to_local(direction)].map(|w| w.z.abs())
+/// [`Bent::cosine`] of an event.
+fn cosine<R: Real>(vertex: &Vertex<R>, direction: Vec3<R>) -> R {
+    let [before, after] = [vertex.wi, vertex.frame.to_local(direction)].map(|w| w.z.abs());
+    if before < after { before } else { after }
 }
 
 /// A moving ray after the events of a chain, whose faces stay the same.
@@ -149,7 +144,6 @@ pub fn follow<R: Real, W: SceneEval<R>>(
     let start = Bent {
         ray,
         cosine: R::constant(1.0),
-        leaving: None,
     };
     links.iter().fold(start, |bent, Link { hit, event }| {
         let ray = bent.ray;
@@ -161,12 +155,10 @@ pub fn follow<R: Real, W: SceneEval<R>>(
             .map_or(Vec3::constant(Vec3::splat(f64::NAN)), |own| {
                 vertex.specular(own, ray).0[1]
             });
-        let smaller = |a: R, b: R| if a < b { a } else { b };
-        let [before, leaving] = cosines(&vertex, direction);
+        let own = cosine(&vertex, direction);
         Bent {
             ray: [surface.position, direction],
-            cosine: smaller(smaller(before, leaving), bent.cosine),
-            leaving: (*event != Event::Pass).then_some((surface.point, leaving)),
+            cosine: if own < bent.cosine { own } else { bent.cosine },
         }
     })
 }

@@ -10,7 +10,6 @@ use capwalk_scene::sensor::view::ViewRay;
 
 use crate::chain::Start;
 use crate::chain_field::ChainField;
-use crate::dips::Dips;
 use crate::light::emitter_towards;
 use crate::magnification::Magnifications;
 use crate::plan::EMITTER_NUMBERS;
@@ -159,7 +158,6 @@ impl Tracer<'_> {
             events,
             magnifications: (self.facts.magnifications)
                 .get_or_init(|| uncounted(|| Magnifications::of(self.accel))),
-            dips: (self.facts.dips).get_or_init(|| Dips::of(&self.accel.scene)),
         }
     }
 }

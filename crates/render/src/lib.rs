@@ -15,7 +15,6 @@ mod chain_field;
 mod chains;
 pub mod constants;
 mod device;
-mod dips;
 mod direct_edge_term;
 mod emitter_choice;
 mod emitter_edge_term;

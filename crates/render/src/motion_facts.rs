@@ -6,7 +6,6 @@ use capwalk_boundary::Motion;
 use capwalk_geometry::EdgeSubset;
 use capwalk_scene::Scene;
 
-use crate::dips::Dips;
 use crate::magnification::Magnifications;
 use crate::pixel_silhouettes::PixelSilhouettes;
 
@@ -28,8 +27,6 @@ pub struct MotionFacts {
     pub(crate) mirror_spreads: OnceLock<Vec<f64>>,
     /// By how much chains of specular events magnify.
     pub(crate) magnifications: OnceLock<Magnifications>,
-    /// Where rays dip below faces.
-    pub(crate) dips: OnceLock<Dips>,
 }
 
 impl MotionFacts {
