@@ -330,6 +330,32 @@ mod tests {
     use super::*;
 
     #[test]
+    fn titles_name_the_parameter() {
+        for (name, parameter, text) in [
+            (
+                GRADIENT,
+                "ball.translate.x",
+                "gradient per unit of ball.translate.x",
+            ),
+            (
+                GRADIENT,
+                "ball.rotate.z",
+                "gradient per degree of ball.rotate.z",
+            ),
+            (
+                GRADIENT,
+                "ball.rotate.z - sky.scale",
+                "gradient per unit of ball.rotate.z - sky.scale",
+            ),
+            ("z", "ball.rotate.z", "z"),
+        ] {
+            let metadata = [("parameter".to_owned(), parameter.to_owned())];
+            assert_eq!(title(name, &metadata), text);
+        }
+        assert_eq!(title(GRADIENT, &[]), GRADIENT);
+    }
+
+    #[test]
     fn labels_are_short() {
         for (value, text) in [
             (0.0, "0"),
