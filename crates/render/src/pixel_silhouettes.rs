@@ -31,6 +31,9 @@ type OfPixel = OnceLock<Option<Box<SilhouettePieces>>>;
 /// The most pieces that it keeps: some hundred megabytes.
 const MOST_KEPT: usize = 1 << 22;
 
+/// The most pieces in mirrors of one pixel that it gathers.
+const MOST_MIRRORED: usize = 1 << 14;
+
 /// Length of the longest piece that has one sampling weight, pixels.
 const PIECE: f64 = 0.5;
 /// Smallest filter value that a sampling weight uses, relative to the filter's mean.
@@ -115,7 +118,7 @@ struct Weighed {
 /// what they contribute (METHOD 8): their length on the film, times the filter, times their
 /// angular speed, times a guess of how large the discontinuity is there. Edges count behind at
 /// most `events` flat mirrors and panes; `spreads` are those of the mirrors' planes. `None` if there
-/// are very many images in mirrors.
+/// are very many images in mirrors, or pieces of edges in them.
 pub fn silhouettes<R: Real, W: SceneEval<R>>(
     field: &Field,
     eval: &W,
@@ -171,6 +174,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     let images = accel.images(view.origin, planes, events)?;
     let mut weighed: Vec<Weighed> = Vec::new();
     let mut gathered = Vec::new();
+    let mut most = usize::MAX;
     for (number, image) in (0..).zip(&images) {
         let query = ConeQuery {
             apex: image.apex,
@@ -220,7 +224,11 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
                     speed: first + last,
                 });
             }
+            if weighed.len() > most {
+                return None;
+            }
         }
+        most = most.min(weighed.len() + MOST_MIRRORED);
     }
     // Relative to the fastest one; those that stay contribute nothing.
     let fastest = weighed.iter().map(|piece| piece.speed).fold(0.0, f64::max);
