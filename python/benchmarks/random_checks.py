@@ -1,12 +1,13 @@
 """Random scenes, each with a derivative that is checked against finite differences.
 
-    python python/benchmarks/random_checks.py CAPWALK [--scenes N] [--first SEED] [--seconds S]
-        [--width PIXELS] [--keep FOLDER]
+    python python/benchmarks/random_checks.py CAPWALK [--scenes N] [--first SEED]
+        [--seconds S | --spp N] [--width PIXELS] [--specular] [--keep FOLDER]
 
 CAPWALK is the program. Each scene has a floor, sometimes walls, one to four shapes with materials of
 all kinds, one or two emitters of all kinds, and a camera; something in it moves or changes colour.
 `capwalk check` compares the derivative of its image with central differences, with as many samples
-as S seconds of the CPU allow, and at least 16. What is printed is a line for each scene that is not
+as S seconds of the CPU allow, and at least 16, or with N samples within half a minute. With `--specular` each scene has
+a curved mirror or smooth glass. What is printed is a line for each scene that is not
 right, and a table of the verdicts. Scenes whose check says "wrong" are kept in FOLDER, all with
 `--keep-all`."""
 
@@ -31,14 +32,17 @@ ENOUGH = 0.9
 """The part of the seconds that a run must take."""
 TOO_MUCH = 1.25
 """The part of the seconds that a run may take, unless it has the fewest samples."""
+TIME_LIMIT = ["--time-limit", "30"]
 WIDTH = 40
 
 
 class Scene:
     """A scene file at random, and a number of it that changes."""
 
-    def __init__(self, seed: int, width: int) -> None:
+    def __init__(self, seed: int, width: int, specular: bool = False) -> None:
         self.random = random.Random(seed)
+        self.specular = specular
+        """Whether the first thing is a curved mirror or smooth glass."""
         self.size = width, width * 3 // 4
         """Of the image, pixels."""
         self.moving: list[str] = []
@@ -108,6 +112,10 @@ class Scene:
         plugin = self.random.choice(["cube", "sphere", "rectangle", "disk", "cylinder"])
         kinds = ["diffuse"] * 4 + ["metal", "plastic", "principled", "mirror", "glass", "mask"]
         kind = self.random.choice(kinds)
+        if i == 0 and self.specular:
+            kind = self.random.choice(["mirror", "glass"])
+            if kind == "mirror":
+                plugin = self.random.choice(["sphere", "cylinder"])
         sides = [self.between(0.12, 0.45) for _ in range(3)]
         if plugin == "sphere":
             sides = [sides[0]] * 3
@@ -207,12 +215,15 @@ def run(command: list[str]) -> tuple[dict[str, Any] | None, str, float]:
     return None, done.stderr[max(start, 0) :].removeprefix("error: ").strip(), seconds
 
 
-def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[str, str, float]:
+def checked(
+    capwalk: str, file: str, parameter: str, seconds: float, spp: int | None
+) -> tuple[str, str, float]:
     """The verdict, the rest of the line, and the seconds that the check took."""
     command = [capwalk, "check", file, "-p", parameter, "--json", "--threads", "1", "-o"]
-    command += [file.replace(".xml", ".npz"), "--spp"]
-    result, error, taken = run([*command, str(FIRST_SPP)])
-    if result is not None:
+    command += [file.replace(".xml", ".npz")]
+    command += [*TIME_LIMIT, "--spp"] if spp is not None else ["--spp"]
+    result, error, taken = run([*command, str(spp or FIRST_SPP)])
+    if result is not None and spp is None:
         first, second = taken, run([*command, str(SECOND_SPP)])[2]
         each = (second - first) / (SECOND_SPP - FIRST_SPP)
         # A pilot, or a second reference, may have taken most of either.
@@ -232,7 +243,8 @@ def checked(capwalk: str, file: str, parameter: str, seconds: float) -> tuple[st
                 if tried[2] <= TOO_MUCH * seconds:
                     result, error, taken = tried
     if result is None:
-        return "refused", error.splitlines()[0], taken
+        verdict = "too slow" if "time limit" in error else "refused"
+        return verdict, error.splitlines()[0], taken
     found = result["comparison"]
     factor, error_of_it = found["scale_factor"], found["scale_factor_error"]
     return found["verdict"], f"{factor} ± {error_of_it}, {result['spp']} spp, {taken:.2f} s", taken
@@ -244,6 +256,8 @@ def main() -> None:
     parser.add_argument("--scenes", type=int, default=200)
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--seconds", type=float, default=2.0)
+    parser.add_argument("--spp", type=int)
+    parser.add_argument("--specular", action="store_true")
     parser.add_argument("--width", type=int, default=WIDTH)
     parser.add_argument("--keep", type=Path)
     parser.add_argument("--keep-all", action="store_true")
@@ -252,11 +266,11 @@ def main() -> None:
     times: list[float] = []
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(chosen.first, chosen.first + chosen.scenes):
-            scene = Scene(seed, chosen.width)
+            scene = Scene(seed, chosen.width, chosen.specular)
             file = Path(folder, f"{seed}.xml")
             file.write_text(scene.text)
             verdict, rest, taken = checked(
-                chosen.capwalk, str(file), scene.parameter, chosen.seconds
+                chosen.capwalk, str(file), scene.parameter, chosen.seconds, chosen.spp
             )
             times.append(taken)
             counts[verdict] += 1
@@ -268,8 +282,10 @@ def main() -> None:
     print("\n| verdict | scenes |\n|---|---|")
     for verdict, count in counts.most_common():
         print(f"| {verdict} | {count} |")
-    above = [taken for taken in times if taken > TOO_MUCH * chosen.seconds]
-    print(f"\nMedian {median(times):.2f} s; above {TOO_MUCH * chosen.seconds} s: {len(above)}")
+    print(f"\nMedian {median(times):.2f} s", end="" if chosen.spp is None else "\n")
+    if chosen.spp is None:
+        above = [taken for taken in times if taken > TOO_MUCH * chosen.seconds]
+        print(f"; above {TOO_MUCH * chosen.seconds} s: {len(above)}")
 
 
 if __name__ == "__main__":
