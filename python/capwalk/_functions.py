@@ -202,7 +202,9 @@ def warn_of_device(remark: str | None) -> None:
 
 
 def warn_of(statistics: Mapping[str, Any]) -> None:
-    """Warns of samples that are infinite or NaN."""
+    """Warns of samples that are infinite or NaN, and of what is missing in a gradient."""
+    if statistics["missing"]:
+        warnings.warn(statistics["missing"], UnreliableWarning, stacklevel=3)
     if statistics["non_finite"]:
         text = f"{statistics['non_finite']} of {statistics['samples']} samples were infinite or NaN"
         text += ", and count as zero"

@@ -71,7 +71,8 @@ class GradientImage:
     method: Method
     """The method that was chosen."""
     statistics: Mapping[str, Any]
-    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``, ``dips``
+    (rays that end below faces) and what is therefore ``missing`` (None: nothing)."""
     device: str = "cpu"
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
     _files: Files = ()
@@ -115,7 +116,8 @@ class Gradients(dict[str, Array]):
     method: Method
     """The method that was chosen; of several views that of the first which was sampled."""
     statistics: Mapping[str, Any]
-    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``."""
+    """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``, ``dips``
+    (rays that end below faces) and what is therefore ``missing`` (None: nothing)."""
     device: str
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
 

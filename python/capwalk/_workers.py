@@ -250,7 +250,10 @@ def _seen(ids: Sequence[str], names: Sequence[str], sensor: int) -> list[str]:
 
 def _together(statistics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """The statistics of all views."""
-    merged = {"complete": all, "too_many_non_finite": any}
+    def first(texts: Sequence[str | None]) -> str | None:
+        return next(filter(None, texts), None)
+
+    merged = {"complete": all, "too_many_non_finite": any, "missing": first}
     return {
         name: merged.get(name, sum)([of_view[name] for of_view in statistics])
         for name in statistics[0]

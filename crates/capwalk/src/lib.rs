@@ -96,7 +96,7 @@ mod views;
 
 pub use capwalk_diff::check::{Comparison, Verdict, compare};
 pub use capwalk_diff::{
-    Accumulate, BatchSums, Cell, Chosen, Device, Estimate, Estimator, Gathers, GradientImage,
+    Accumulate, BatchSums, Cell, Chosen, Device, Dips, Estimate, Estimator, Gathers, GradientImage,
     GradientOptions, GradientWork, Grid, KeptChoice, Method, Part, PartError, Partial, PixelSums,
     Refusal, RenderOptions, RenderWork, Rendering, Seed, Statistics, Stencil, Trial, Unwatched,
     UsedDevice, WalkSettings, Watch, with_threads,

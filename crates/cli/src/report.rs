@@ -83,7 +83,7 @@ pub fn written(files: &[String]) -> String {
 }
 
 /// What is to be said on the standard error about a finished piece of work:
-/// that it is partial, and non-finite samples.
+/// that it is partial, what is missing in it, and non-finite samples.
 pub fn warnings(what: &str, statistics: &Statistics) -> String {
     let mut text = String::new();
     if !statistics.complete {
@@ -95,6 +95,9 @@ pub fn warnings(what: &str, statistics: &Statistics) -> String {
         text += &format!(
             "warning: the {what} is partial: {least} to {most} samples per pixel were taken\n"
         );
+    }
+    if let Some(remark) = statistics.dips.remark() {
+        text += &format!("warning: {remark}\n");
     }
     if statistics.non_finite > 0 {
         text += &format!(
@@ -170,6 +173,7 @@ pub fn statistics_json(statistics: &Statistics, elapsed: f64) -> Value {
         "most_samples_per_pixel": taken.iter().max(),
         "non_finite": statistics.non_finite,
         "cone_queries": statistics.cone_queries,
+        "dips": {"events": statistics.dips.events, "dip": statistics.dips.dip},
         "seconds": elapsed,
     })
 }

@@ -12,7 +12,7 @@ use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
 use capwalk_render::{
     Grid, LaneTracer, MotionFacts, Part, PartError, Partial, PathAdjoint, PreparedScene,
-    RenderOptions, SceneEval, Tracer, Watch, adaptive,
+    RenderOptions, SceneEval, Statistics, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -244,7 +244,10 @@ impl<'a> GradientWork<'a> {
         let scene = self.prepared.scene();
         let averages = Averages::new(sums);
         let value = averages.estimate(scene, 0);
-        let statistics = averages.statistics.clone();
+        let statistics = Statistics {
+            dips: self.facts.dips(self.prepared.accel()),
+            ..averages.statistics.clone()
+        };
         GradientImage {
             value,
             gradient: averages.estimate(scene, DERIVATIVE),

@@ -22,7 +22,7 @@ mod reverse_eval;
 pub use capwalk_boundary::pool::with_threads;
 pub use capwalk_boundary::{Gathers, Method, MethodTraits, Refusal, may_be_specular};
 pub use capwalk_render::{
-    Accumulate, Cell, Device, Estimate, Grid, Halted, Part, PartError, Partial, PixelSums,
+    Accumulate, Cell, Device, Dips, Estimate, Grid, Halted, Part, PartError, Partial, PixelSums,
     PreparedScene, Purpose, RenderOptions, RenderWork, Rendering, Seed, Statistics, Unwatched,
     UsedDevice, Watch, render,
 };

@@ -360,6 +360,7 @@ impl<'a> BackwardWork<'a> {
         let boundaries = self.boundaries(&Unwatched)?;
         let mut statistics = Statistics {
             samples_per_pixel: vec![0; scene.film.pixel_count()],
+            dips: self.facts.dips(accel),
             ..Statistics::default()
         };
         let is_empty = batches.iter().all(|batch| batch.samples() == 0);

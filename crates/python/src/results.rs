@@ -165,6 +165,8 @@ fn of_statistics<'py>(py: Python<'py>, statistics: &Statistics) -> PyResult<Boun
     numbers.set_item("non_finite", statistics.non_finite)?;
     numbers.set_item("too_many_non_finite", statistics.too_many_non_finite())?;
     numbers.set_item("cone_queries", statistics.cone_queries)?;
+    numbers.set_item("dips", statistics.dips.dip)?;
+    numbers.set_item("missing", statistics.dips.remark())?;
     Ok(numbers)
 }
 

@@ -7,6 +7,7 @@ use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::{Event, Specular};
 use capwalk_scene::sensor::view::View;
 
+use crate::estimate::Dips;
 use crate::scene_eval::SceneEval;
 use crate::shading::{add_lobes, black_vertex_at, vertex_at};
 use crate::still::Still;
@@ -170,6 +171,8 @@ pub struct End {
     pub distance: f64,
     /// Position and unit direction of a ray that is scattered there.
     pub scattered: Option<[Vec3; 2]>,
+    /// Of the reflections and refractions before the end, up to the first ray that dips.
+    pub dips: Dips,
 }
 
 /// A chain of events that are drawn at random, by numbers of a stream from `first` on, and its end.
@@ -182,10 +185,12 @@ pub fn drawn_chain(
 ) -> (Vec<Link>, End) {
     let mut links = Vec::new();
     let mut ray = start.bounded_ray(accel, q);
+    let mut dips = Dips::default();
     loop {
         let mut end = End {
             distance: f64::INFINITY,
             scattered: None,
+            dips,
         };
         let Some(hit) = accel.first_hit_within(&ray) else {
             return (links, end);
@@ -203,6 +208,14 @@ pub fn drawn_chain(
             Some((Some(event), _)) if links.len() < MOST_DRAWN => {
                 let ([_, direction], _) = vertex.specular(event, incoming);
                 ray = accel.surface_ray(vertex.position, direction);
+                let height = direction.dot(vertex.face_normal);
+                if dips.dip == 0 {
+                    match event.event {
+                        Event::Reflect => dips.count(height <= 0.0),
+                        Event::Transmit => dips.count(height >= 0.0),
+                        Event::Pass => {}
+                    }
+                }
                 links.push(Link {
                     hit,
                     event: event.event,

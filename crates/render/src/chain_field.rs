@@ -24,7 +24,7 @@ use capwalk_scene::lobe::Event;
 use capwalk_walk::{Domain, Nearest, Sphere, WalkSettings, sample_field, sample_value};
 
 use crate::chain::{AfterLink, Bent, Link, Start, follow, next_link};
-use crate::magnification::{Magnifications, spread};
+use crate::chain_survey::{ChainSurvey, spread};
 use crate::scene_eval::{SceneEval, Warped};
 
 /// How strongly the motion of the image along an edge is damped, which moves no boundary: little of it counts where the
@@ -42,7 +42,8 @@ pub struct ChainField<'a, R> {
     pub start: &'a Start<R>,
     /// The events, one after the other.
     pub events: &'a [Event],
-    pub magnifications: &'a Magnifications,
+    /// By how much they magnify.
+    pub survey: &'a ChainSurvey,
 }
 
 /// A boundary point of such a field.
@@ -177,7 +178,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ChainSphere<'_, R, F> {
 
     /// By what the angle to a boundary after some events is multiplied.
     fn scale(&self, events: usize) -> f64 {
-        1.0 / self.chain.magnifications.after(&self.start, events)
+        1.0 / self.chain.survey.magnification_after(&self.start, events)
     }
 
     fn spread(&self, q: Vec3, links: &[Link]) -> (Frame, Bent<Dual<2>>) {
@@ -453,7 +454,7 @@ mod tests {
             viewpoint: &Viewpoint::camera(&accel.view, 0),
             start: &Start::Camera(accel.view),
             events: &[Event::Reflect],
-            magnifications: &Magnifications::of(&accel),
+            survey: &ChainSurvey::of(&accel),
         };
         let viewpoints = chain.viewpoints();
         let settings = WalkSettings::default();
@@ -505,7 +506,7 @@ mod tests {
             viewpoint: &viewpoint,
             start: &Start::Camera(accel.view),
             events: &[],
-            magnifications: &Magnifications::default(),
+            survey: &ChainSurvey::default(),
         };
         let settings = WalkSettings::default();
         let viewpoints = chain.viewpoints();

@@ -1,10 +1,12 @@
-//! By how much chains of specular events magnify, roughly: what a small turn of a direction does to that in which the
-//! chain sees something at the end, but for the cosines of angles at mirrors and glass ([`Bent::cosine`]).
+//! What some paths tell of the chains of specular events in a scene: by how much they magnify, roughly, and how often
+//! their rays dip below faces. Magnification is what a small turn of a direction does to that in which the chain sees
+//! something at the end, but for the cosines of angles at mirrors and glass ([`Bent::cosine`]).
 
 use capwalk_boundary::{Accel, Stream};
 use capwalk_math::{Dual, Frame, Vec3};
 
 use crate::chain::{Bent, Link, Start, drawn_chain, follow};
+use crate::estimate::Dips;
 use crate::still::Still;
 
 /// How many paths are followed.
@@ -12,17 +14,20 @@ const PATHS: u64 = 1024;
 /// Keeps their random numbers apart from those of samples.
 const SEED: u64 = 0x6d61_676e_6966_7921;
 
-/// Of chains from the camera and from surfaces, by their number of events.
+/// Magnifications of chains from the camera and from surfaces, by their number of events, and rays that dip.
 #[derive(Clone, Debug, Default)]
-pub struct Magnifications {
+pub struct ChainSurvey {
     of_camera: Vec<f64>,
     of_surfaces: Vec<f64>,
+    /// On paths that are followed up to the first.
+    pub dips: Dips,
 }
 
-impl Magnifications {
-    /// Those of a scene: the medians over some paths.
+impl ChainSurvey {
+    /// That of a scene; magnifications are medians over some paths.
     pub fn of(accel: &Accel) -> Self {
         let mut all = [Vec::<Vec<f64>>::new(), Vec::new()];
+        let mut dips = Dips::default();
         for path in 0..PATHS {
             let stream = Stream::independent(SEED, path);
             let [width, height] = accel.scene.film.crop_size.map(f64::from);
@@ -30,11 +35,15 @@ impl Magnifications {
             let [x, y] = stream.pair(0);
             let q = accel.view.direction([left + width * x, top + height * y]);
             let mut start = Some((Start::Camera(accel.view), q));
+            let mut of_path = Dips::default();
             for (i, found) in all.iter_mut().enumerate() {
                 let Some((from, q)) = start else {
                     break;
                 };
                 let (links, end) = drawn_chain(accel, &from, q, &stream, 2 + 64 * i as u32);
+                if of_path.dip == 0 {
+                    of_path += end.dips;
+                }
                 found.resize_with(found.len().max(links.len()), Vec::new);
                 for count in 1..=links.len() {
                     let next = links.get(count).map_or(end.distance, |next| next.hit.t);
@@ -43,16 +52,18 @@ impl Magnifications {
                 }
                 start = end.scattered.map(|[x, q]| (Start::Surface(x), q));
             }
+            dips += of_path;
         }
         let [of_camera, of_surfaces] = all.map(|all| all.into_iter().map(median).collect());
         Self {
             of_camera,
             of_surfaces,
+            dips,
         }
     }
 
-    /// That of a chain; where none was met, that of a shorter one.
-    pub fn after<R>(&self, start: &Start<R>, events: usize) -> f64 {
+    /// By how much a chain magnifies; where none was met, that of a shorter one.
+    pub fn magnification_after<R>(&self, start: &Start<R>, events: usize) -> f64 {
         let all = match start {
             Start::Camera(_) => &self.of_camera,
             Start::Surface(_) => &self.of_surfaces,

@@ -3,7 +3,7 @@
 //! other light is left to the terms of [`crate::radiance`] and [`crate::film`].
 
 use capwalk_boundary::{Draw, Viewpoint};
-use capwalk_geometry::{Hit, uncounted};
+use capwalk_geometry::Hit;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::Event;
 use capwalk_scene::sensor::view::ViewRay;
@@ -11,7 +11,6 @@ use capwalk_scene::sensor::view::ViewRay;
 use crate::chain::Start;
 use crate::chain_field::ChainField;
 use crate::light::emitter_towards;
-use crate::magnification::Magnifications;
 use crate::plan::EMITTER_NUMBERS;
 use crate::radiance::{Shown, SpecularChain};
 use crate::scene_eval::SceneEval;
@@ -156,8 +155,7 @@ impl Tracer<'_> {
             viewpoint,
             start,
             events,
-            magnifications: (self.facts.magnifications)
-                .get_or_init(|| uncounted(|| Magnifications::of(self.accel))),
+            survey: self.facts.chain_survey(self.accel),
         }
     }
 }

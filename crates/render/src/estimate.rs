@@ -1,5 +1,7 @@
 //! What comes back: images with standard errors, and counts.
 
+use std::ops::AddAssign;
+
 use capwalk_scene::Image;
 
 use crate::device::UsedDevice;
@@ -43,6 +45,46 @@ pub struct Statistics {
     pub effort: u64,
     /// Where it was computed.
     pub device: UsedDevice,
+    /// Of a derivative in which what is seen in curved mirrors or through glass may move: on 1024 paths from the
+    /// camera.
+    pub dips: Dips,
+}
+
+/// How often a ray that is reflected or refracted about an interpolated or mapped normal dips below its face. Light ends
+/// there, and no field knows how the borders of these places move: that part of a derivative is missing (method 6).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Dips {
+    /// Reflections and refractions on some paths, each followed up to the first that dips.
+    pub events: u32,
+    /// How many of them dip.
+    pub dip: u32,
+}
+
+impl Dips {
+    /// One more event.
+    pub(crate) fn count(&mut self, dips: bool) {
+        self.events += 1;
+        self.dip += u32::from(dips);
+    }
+
+    /// What a user should know, without a full stop; `None` if there are none.
+    pub fn remark(&self) -> Option<String> {
+        let Self { events, dip } = self;
+        (*dip > 0).then(|| {
+            format!(
+                "in {dip} of {events} reflections and refractions looked at, the ray dips below its face, because \
+                 normals are interpolated or mapped; how such places move is missing in the gradient. Finer meshes \
+                 have fewer of them, flat normals none"
+            )
+        })
+    }
+}
+
+impl AddAssign for Dips {
+    fn add_assign(&mut self, other: Self) {
+        self.events += other.events;
+        self.dip += other.dip;
+    }
 }
 
 impl Statistics {

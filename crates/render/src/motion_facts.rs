@@ -2,12 +2,14 @@
 
 use std::sync::OnceLock;
 
-use capwalk_boundary::Motion;
-use capwalk_geometry::EdgeSubset;
+use capwalk_boundary::{Accel, Motion};
+use capwalk_geometry::{EdgeSubset, uncounted};
 use capwalk_scene::Scene;
 
-use crate::magnification::Magnifications;
+use crate::chain_survey::ChainSurvey;
+use crate::estimate::Dips;
 use crate::pixel_silhouettes::PixelSilhouettes;
+use crate::tracer::may_have_chains;
 
 /// What tracers find out about one motion of a prepared scene; kept, it changes no result. Tracers
 /// of the same motion, as far as sampling knows it, can share it, whatever their methods: with the
@@ -25,8 +27,8 @@ pub struct MotionFacts {
     pub(crate) moving_edges: OnceLock<EdgeSubset>,
     /// How much the motion differs within the planes of flat mirrors.
     pub(crate) mirror_spreads: OnceLock<Vec<f64>>,
-    /// By how much chains of specular events magnify.
-    pub(crate) magnifications: OnceLock<Magnifications>,
+    /// What some paths tell of chains of specular events.
+    chain_survey: OnceLock<ChainSurvey>,
 }
 
 impl MotionFacts {
@@ -37,6 +39,20 @@ impl MotionFacts {
             turns_light,
             silhouettes: PixelSilhouettes::of(scene),
             ..Self::default()
+        }
+    }
+
+    /// What some paths tell of chains of specular events.
+    pub(crate) fn chain_survey(&self, accel: &Accel) -> &ChainSurvey {
+        let known = &self.chain_survey;
+        known.get_or_init(|| uncounted(|| ChainSurvey::of(accel)))
+    }
+
+    /// How often rays dip below faces in a scene, if this moves what is seen in curved mirrors or through glass there.
+    pub fn dips(&self, accel: &Accel) -> Dips {
+        match self.turns_light && may_have_chains(accel) {
+            true => self.chain_survey(accel).dips,
+            false => Dips::default(),
         }
     }
 

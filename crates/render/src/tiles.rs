@@ -10,7 +10,6 @@ use capwalk_scene::{Image, Scene};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::device::UsedDevice;
 use crate::estimate::{Estimate, Statistics};
 use crate::grid::{Grid, Part};
 use crate::options::{RenderOptions, Watch};
@@ -420,7 +419,7 @@ impl Averages {
             non_finite: sum(|pixel| u64::from(pixel.non_finite)),
             cone_queries: sum(|pixel| pixel.cone_queries),
             effort: sum(|pixel| pixel.effort),
-            device: UsedDevice::default(),
+            ..Statistics::default()
         };
         let numbers: usize = bands.iter().map(|band| band.moments.len()).sum();
         Self {

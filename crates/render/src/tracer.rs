@@ -121,8 +121,7 @@ impl<'a> Tracer<'a> {
         let tracer = Self {
             has_chains: field.method.traits().is_spherical
                 && facts.turns_light()
-                && has_specular_light(&Plan::new(prepared.scene()))
-                && may_miss(prepared.accel()),
+                && may_have_chains(prepared.accel()),
             moving: Some(Moving { field, walks }),
             facts: Arc::clone(facts),
             ..Self::primal(prepared)
@@ -322,7 +321,11 @@ fn has_specular_light(plan: &Plan) -> bool {
     plan.aov.is_none() && plan.sampling.bsdf_samples > 0
 }
 
-/// True if a path may take part in specular events whose silhouettes no field of a viewpoint has.
+/// True if paths may take part in specular events whose silhouettes no field of a viewpoint has, and bring light.
+pub(crate) fn may_have_chains(accel: &Accel) -> bool {
+    has_specular_light(&Plan::new(&accel.scene)) && may_miss(accel)
+}
+
 fn may_miss(accel: &Accel) -> bool {
     let scene = &accel.scene;
     let is_long = || Plan::new(scene).events_behind(0) >= MAX_EVENTS;

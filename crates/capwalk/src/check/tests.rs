@@ -58,6 +58,7 @@ fn waves(seed: u64, factor: f64, spikes: f64, noise: f64) -> GradientImage {
             cone_queries: 0,
             effort: 0,
             device: UsedDevice::default(),
+            dips: Dips::default(),
         },
     }
 }

@@ -1,13 +1,14 @@
 //! Light that arrives by way of curved mirrors and refracting glass, in both modes. (Differences of such images are in
 //! the folders of `tests/scenes`.)
 
-use crate::common::both_modes::{agree_by, everything, settings, small};
+use crate::common::both_modes::{adjoint, agree_by, everything, settings, small};
 use crate::common::materials::*;
 use crate::common::refused::mirror_floor;
 use crate::common::stages::*;
 use crate::common::*;
 use capwalk_diff::{
-    Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient, render,
+    Dips, Estimate, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, Wanted,
+    backward, gradient, render,
 };
 use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::primitive::{cube, icosphere, rectangle};
@@ -155,4 +156,41 @@ fn numbers_are_finite_where_derivatives_have_no_bound() {
         assert!(error.is_finite() && error > 0.0, "{name}: {error}");
         agree_by(name, &prepared, &motion, &settings(16));
     }
+}
+
+/// Both modes say how many rays dip below the faces of a smooth mirror: few, none where its faces are flat, and none
+/// are looked for where nothing moves.
+#[test]
+fn rays_that_dip_below_faces_are_counted() {
+    let mut smooth = beside_a_ball(v(-0.7, -1.0, -0.1));
+    make(&mut smooth, "ball", |n| n.mirror());
+    small(&mut smooth, 3);
+    let mut flat = smooth.clone();
+    flat.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
+    // Before other cameras flat mirrors have images, and no chains.
+    flat.sensor.model = SensorModel::Orthographic;
+    let dips = |scene: Scene, moves: bool| {
+        let mut motion = everything(&scene, 7);
+        if !moves {
+            let mut numbers = Tangent::zero(&scene);
+            numbers.textures.clone_from(&motion.textures);
+            motion = numbers;
+        }
+        let adjoint = adjoint(&scene, 3);
+        let prepared = PreparedScene::new(scene);
+        let forward = gradient(&prepared, &motion, &settings(1), &Unwatched).expect("covered");
+        let wanted = Wanted::by(&motion);
+        let reverse = backward(&prepared, &adjoint, &wanted, &settings(1), &Unwatched);
+        let found = forward.statistics.dips;
+        assert_eq!(found, reverse.expect("covered").statistics.dips);
+        found
+    };
+    let found = dips(smooth.clone(), true);
+    println!("{found:?}");
+    assert!(found.dip > 0 && found.dip < found.events / 10, "{found:?}");
+    assert!(found.remark().is_some());
+    assert_eq!(dips(smooth, false), Dips::default());
+    let found = dips(flat, true);
+    assert!(found.dip == 0 && found.events > 100, "{found:?}");
+    assert_eq!(found.remark(), None);
 }

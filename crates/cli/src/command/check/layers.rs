@@ -99,7 +99,8 @@ fn panels<'a>(check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
 #[cfg(test)]
 mod tests {
     use capwalk::{
-        Chosen, Estimate, GradientImage, GradientOptions, Method, Reference, Statistics, UsedDevice,
+        Chosen, Dips, Estimate, GradientImage, GradientOptions, Method, Reference, Statistics,
+        UsedDevice,
     };
 
     use super::*;
@@ -120,6 +121,7 @@ mod tests {
                 samples: samples.iter().map(|&n| u64::from(n)).sum(),
                 non_finite,
                 cone_queries: 0,
+                dips: Dips::default(),
                 effort: 0,
                 device: UsedDevice::default(),
             },
