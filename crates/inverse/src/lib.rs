@@ -17,6 +17,7 @@ pub mod loss;
 pub mod problem;
 pub mod record;
 pub mod run;
+pub mod samples;
 pub mod schedule;
 pub mod smooth;
 pub mod state;

@@ -6,6 +6,7 @@ use capwalk_scene::{Film, Image, Scene, Sensor};
 use crate::adam::Adam;
 use crate::guard::Guards;
 use crate::loss::Loss;
+use crate::samples::ByNoise;
 use crate::schedule::Schedule;
 use crate::variable::Variables;
 
@@ -36,6 +37,8 @@ pub struct Problem {
     pub spp: u32,
     /// Samples per pixel of gradients.
     pub spp_grad: u32,
+    /// If there is a rule, `spp` and `spp_grad` are those of the first iteration.
+    pub by_noise: Option<ByNoise>,
     /// How gradients are estimated.
     pub method: Method,
     /// The walk that builds the velocity field, for methods that walk.

@@ -1,6 +1,7 @@
 //! What is written down of every iteration: a row of a table (CSV).
 
 use crate::problem::Problem;
+use crate::samples::Descent;
 use crate::variable::Variables;
 
 /// Variables with more numbers than this have no columns of their own.
@@ -17,6 +18,8 @@ pub struct Row {
     pub loss_error: f64,
     /// What noise added to it and was subtracted; `None` if that is not known.
     pub loss_noise: Option<f64>,
+    /// Samples per pixel of images and of gradients.
+    pub spp: [u32; 2],
     /// The loss of each view.
     pub by_view: Vec<f64>,
     /// Values before the step.
@@ -37,6 +40,8 @@ pub struct Step {
     pub length: f64,
     /// The learning rate, after the schedule.
     pub lr: f64,
+    /// How fast the loss falls along the step before; 0 in the first step.
+    pub descent: Descent,
 }
 
 /// The first line of the table, with its end.
@@ -50,6 +55,11 @@ pub fn header(problem: &Problem) -> String {
         "gradient_noise",
         "step_norm",
         "lr",
+        "descent",
+        "descent_variance_by_image",
+        "descent_variance_by_gradient",
+        "spp",
+        "spp_grad",
     ]
     .map(String::from)
     .to_vec();
@@ -80,6 +90,15 @@ impl Row {
             step(|step| step.gradient_noise),
             step(|step| step.length),
             step(|step| step.lr),
+            step(|step| step.descent.value),
+            maybe(
+                self.step
+                    .map(|step| step.descent.by[0])
+                    .filter(|by| !by.is_nan()),
+            ),
+            step(|step| step.descent.by[1]),
+            self.spp[0].to_string(),
+            self.spp[1].to_string(),
         ];
         if problem.views.len() > 1 {
             cells.extend(self.by_view.iter().map(|&loss| number(loss)));

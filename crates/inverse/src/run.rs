@@ -3,8 +3,8 @@
 use std::fmt;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, GradientOptions, PreparedScene, Purpose, Refusal, RenderOptions, Seed,
-    Statistics, Unwatched, Watch, backward, render,
+    BackwardWork, Chosen, Estimate, GradientOptions, PreparedScene, Purpose, Refusal,
+    RenderOptions, Seed, Statistics, Unwatched, Watch, backward, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -14,6 +14,7 @@ use crate::guard::Violation;
 use crate::loss::Measured;
 use crate::problem::{Limits, Problem};
 use crate::record::{Row, Step};
+use crate::samples::{Descent, NoDescent};
 use crate::state::State;
 use crate::variable::ApplyError;
 use crate::views::PreparedViews;
@@ -38,6 +39,8 @@ pub enum Stop {
         /// What it was there.
         best_loss: f64,
     },
+    /// The gradient cannot be told from its noise, with as many samples as there may be.
+    NoDescent(NoDescent),
     /// The step would have spoiled a mesh.
     Guard(Violation),
     /// The step would have left what can be rendered.
@@ -66,6 +69,12 @@ impl fmt::Display for Stop {
                 f,
                 "the loss has not become smaller for {patience} iterations; it was smallest in \
                  iteration {best_iteration}: {best_loss:.6e}"
+            ),
+            Self::NoDescent(NoDescent { mean, error, steps }) => write!(
+                f,
+                "the descent cannot be told from zero: with the most samples it was {mean:.2e} ± \
+                 {error:.2e} on average over the last {steps} steps. This is the optimum as far as \
+                 so many samples and this learning rate can tell"
             ),
             Self::Guard(violation) => write!(
                 f,
@@ -108,7 +117,7 @@ pub struct Iteration {
 
 /// The images of a scene and their losses, one of each per view.
 struct Seen {
-    images: Vec<Image>,
+    images: Vec<Estimate>,
     measured: Vec<Measured>,
 }
 
@@ -117,6 +126,7 @@ struct Gradient {
     numbers: Vec<f64>,
     /// Standard error of each, for the images as they were.
     errors: Vec<f64>,
+    descent: Descent,
 }
 
 impl Problem {
@@ -170,7 +180,7 @@ impl Problem {
             .map_err(Stop::Outside)?;
         // Render every view and compare it with its target.
         let views = views.of(self, &scene, watch).ok_or(Stop::Interrupted)?;
-        let seen = self.render_views(views, state.iteration, watch)?;
+        let seen = self.render_views(views, state, watch)?;
         let mut row = self.row(state, values, &seen.measured);
         if !row.loss.is_finite() {
             let (iteration, loss) = (state.iteration, row.loss);
@@ -190,7 +200,7 @@ impl Problem {
             }
             next => Ok(Iteration {
                 row,
-                images: seen.images,
+                images: seen.images.into_iter().map(|image| image.mean).collect(),
                 next,
             }),
         }
@@ -210,6 +220,9 @@ impl Problem {
             return Some(Stop::Done);
         }
         let waited = state.iteration - state.best_iteration;
+        if let Some(found) = state.noise.no_descent() {
+            return Some(Stop::NoDescent(found));
+        }
         let patience = patience.filter(|&patience| waited >= patience && loss >= state.best_loss);
         patience.map(|patience| Stop::NoProgress {
             patience,
@@ -222,18 +235,19 @@ impl Problem {
     fn render_views(
         &self,
         views: &[PreparedScene],
-        iteration: u32,
+        state: &State,
         watch: &dyn Watch,
     ) -> Result<Seen, Stop> {
+        let (iteration, [spp, _]) = (state.iteration, state.noise.spp());
         let (mut images, mut measured) = (Vec::new(), Vec::new());
         for (i, view) in self.views.iter().enumerate() {
             let seed = Seed(self.seed).of_iteration(u64::from(iteration), i as u64, Purpose::Image);
-            let options = RenderOptions::new(self.spp, seed.0);
+            let options = RenderOptions::new(spp, seed.0);
             let rendering = render(&views[i], &options, watch);
             refuse_unusable("image", iteration, &rendering.statistics)?;
             let (target, mask) = (&view.target, view.mask.as_ref());
             measured.push(self.loss.measure(&rendering.value, target, mask));
-            images.push(rendering.value.mean);
+            images.push(rendering.value);
         }
         Ok(Seen { images, measured })
     }
@@ -254,6 +268,7 @@ impl Problem {
             loss: mean(|measured| measured.value),
             loss_error: squares.sum::<f64>().sqrt(),
             loss_noise: known.then(|| mean(|measured| measured.noise.unwrap_or(0.0))),
+            spp: state.noise.spp(),
             by_view: measured.iter().map(|measured| measured.value).collect(),
             values,
             step: None,
@@ -280,6 +295,9 @@ impl Problem {
         if row.loss < state.best_loss {
             (next.best_loss, next.best_iteration) = (row.loss, row.iteration);
         }
+        if let Some(rule) = &self.by_noise {
+            next.noise.learn(rule, &gradient.descent);
+        }
         // Each variable takes a step of its own rate, times the factor of the schedule.
         let factor = self.schedule.factor(row.iteration, self.limits.iterations);
         for (variable, range) in self.variables.iter() {
@@ -298,12 +316,21 @@ impl Problem {
         }
         // Unknowns with bounds end between them.
         self.variables.clamp(&mut next.unknowns);
-        let differences = next.unknowns.iter().zip(&state.unknowns);
+        let differences = || {
+            next.unknowns
+                .iter()
+                .zip(&state.unknowns)
+                .map(|(a, b)| a - b)
+        };
+        // A rate of 0 takes no step, and says nothing of the next one.
+        let per_rate = if factor > 0.0 { 1.0 / factor } else { 0.0 };
+        next.noise.direction = differences().map(|by| by * per_rate).collect();
         row.step = Some(Step {
             gradient: norm(gradient.numbers.iter().copied()),
             gradient_noise: norm(gradient.errors.into_iter()),
-            length: norm(differences.map(|(a, b)| a - b)),
+            length: norm(differences()),
             lr: factor * self.lr,
+            descent: gradient.descent,
         });
         // The step counts only if the scene can be rendered and its meshes are whole.
         let after = self.scene(&next).map_err(Stop::Outside)?;
@@ -323,42 +350,109 @@ impl Problem {
         row: &Row,
         watch: &dyn Watch,
     ) -> Result<Gradient, Stop> {
-        let count = self.variables.count();
+        // The last of these numbers is the derivative along the last step.
+        let count = self.variables.count() + 1;
         let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
+        // Of the descent, by the differences of halves; not known without.
+        let mut variance = self.by_noise.map_or(f64::NAN, |_| 0.0);
         let wanted = self.variables.wanted(&self.scene);
         let shares = self.shares();
         for (i, prepared) in views.iter().enumerate() {
-            // The adjoint image of the view: s_v ∂loss/∂I_v.
-            let adjoint = &seen.measured[i].adjoint;
-            let adjoint = Image {
-                pixels: adjoint.pixels.iter().map(|&a| a * shares[i]).collect(),
-                ..*adjoint
+            // The adjoint image of the view: s_v ∂loss/∂I_v. If sample counts follow the noise,
+            // each half of the samples has another one.
+            let adjoints = match self.by_noise {
+                None => vec![seen.measured[i].adjoint.clone()],
+                Some(_) => self.perturbed(seen, i, row.iteration).to_vec(),
             };
-            // A covector on the scene, with other random numbers than the image has:
-            // the mean of the product is the product of the means.
-            let iteration = u64::from(row.iteration);
-            let seed = Seed(self.seed).of_iteration(iteration, i as u64, Purpose::Gradient);
-            let options = self.gradient_options(RenderOptions::new(self.spp_grad, seed.0));
-            let result =
-                backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::from)?;
-            refuse_unusable("gradient", row.iteration, &result.statistics)?;
-            // From the scene to its values to the unknowns: two transposed linear maps.
-            let pull = |gradient: &_| {
-                let variables = &self.variables;
-                let by_values =
-                    variables.pull(&self.scene, prepared.scene(), &row.values, gradient);
-                variables.pull_reparameterization(&state.unknowns, &by_values)
-            };
-            // Views are independent: their variances add up.
-            let (numbers, errors) = result.numbers(pull);
-            for k in 0..count {
-                sums[k] += numbers[k];
-                squares[k] += errors[k] * errors[k];
+            let mut halves = Vec::new();
+            for (half, adjoint) in adjoints.iter().enumerate() {
+                let adjoint = Image {
+                    pixels: adjoint.pixels.iter().map(|&a| a * shares[i]).collect(),
+                    ..*adjoint
+                };
+                // A covector on the scene, with other random numbers than the image has:
+                // the mean of the product is the product of the means.
+                let iteration = u64::from(row.iteration);
+                let number = (i + half * views.len()) as u64;
+                let seed = Seed(self.seed).of_iteration(iteration, number, Purpose::Gradient);
+                let spp = row.spp[1] / adjoints.len() as u32;
+                let options = self.gradient_options(RenderOptions::new(spp, seed.0));
+                let result =
+                    backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::from)?;
+                refuse_unusable("gradient", row.iteration, &result.statistics)?;
+                // From the scene to its values to the unknowns: two transposed linear maps.
+                let pull = |gradient: &_| {
+                    let variables = &self.variables;
+                    let by_values =
+                        variables.pull(&self.scene, prepared.scene(), &row.values, gradient);
+                    let mut numbers =
+                        variables.pull_reparameterization(&state.unknowns, &by_values);
+                    let along = numbers.iter().zip(&state.noise.direction);
+                    numbers.push(along.map(|(g, d)| g * d).sum());
+                    numbers
+                };
+                // Views and halves are independent: their variances add up.
+                let share = 1.0 / adjoints.len() as f64;
+                let (numbers, errors) = result.numbers(pull);
+                for k in 0..count {
+                    sums[k] += share * numbers[k];
+                    squares[k] += (share * errors[k]).powi(2);
+                }
+                halves.push(numbers[count - 1]);
+            }
+            if let [a, b] = halves[..] {
+                variance += (0.5 * (a - b)).powi(2);
             }
         }
+        let [along, by_gradient] = [&mut sums, &mut squares].map(|numbers| numbers[count - 1]);
+        sums.pop();
+        squares.pop();
         Ok(Gradient {
             numbers: sums,
             errors: squares.into_iter().map(f64::sqrt).collect(),
+            descent: Descent {
+                value: -along,
+                by: [variance - by_gradient, by_gradient],
+            },
+        })
+    }
+
+    /// The adjoint of a view's image as it would be with as much noise more, and with as much less:
+    /// each pixel is moved by its standard error, up or down at random. The difference of what they
+    /// give is twice what the noise of the image adds, and the mean is that of the image.
+    fn perturbed(&self, seen: &Seen, view: usize, iteration: u32) -> [Image; 2] {
+        let (target, mask) = (&self.views[view].target, self.views[view].mask.as_ref());
+        let Estimate {
+            mean,
+            standard_error,
+        } = &seen.images[view];
+        let (iteration, view_number) = (u64::from(iteration), view as u64);
+        let seed = Seed(self.seed).of_iteration(iteration, view_number, Purpose::Image);
+        let is_up = |pixel: usize| seed.of_iteration(pixel as u64, 0, Purpose::Image).0 >> 63 == 1;
+        let moved = |by: f64| {
+            let pixels = mean.pixels.iter().zip(&standard_error.pixels).enumerate();
+            let moved =
+                pixels.map(|(pixel, (&x, &error))| x + error * if is_up(pixel) { by } else { -by });
+            let image = Estimate {
+                mean: Image {
+                    pixels: moved.collect(),
+                    ..*mean
+                },
+                standard_error: standard_error.clone(),
+            };
+            self.loss.measure(&image, target, mask).adjoint
+        };
+        let [more, less] = [1.0, -1.0].map(moved);
+        let adjoint = &seen.measured[view].adjoint;
+        [0.5, -0.5].map(|by| {
+            let pixels = adjoint
+                .pixels
+                .iter()
+                .zip(more.pixels.iter().zip(&less.pixels));
+            Image {
+                pixels: pixels.map(|(&a, (&b, &c))| a + (b - c) * by).collect(),
+                ..*adjoint
+            }
         })
     }
 

@@ -1,6 +1,7 @@
 //! All that an optimisation remembers, as plain numbers.
 
 use crate::problem::Problem;
+use crate::samples::Noise;
 
 /// Where an optimisation is. The next state is a function of it and of the
 /// problem: there are no random numbers in it, these have addresses.
@@ -18,6 +19,8 @@ pub struct State {
     pub best_loss: f64,
     /// The iteration in which it was.
     pub best_iteration: u32,
+    /// What is remembered of the noise of steps.
+    pub noise: Noise,
 }
 
 /// An array of a checkpoint: its name and its numbers.
@@ -31,6 +34,7 @@ impl State {
             iteration: 0,
             first: vec![0.0; unknowns.len()],
             second: vec![0.0; unknowns.len()],
+            noise: Noise::new([problem.spp, problem.spp_grad], unknowns.len()),
             unknowns,
             best_loss: f64::INFINITY,
             best_iteration: 0,
@@ -40,23 +44,35 @@ impl State {
     /// The state as named arrays, to the bit.
     pub fn to_numbers(&self) -> Vec<NamedArray> {
         let counts = [self.iteration, self.best_iteration].map(f64::from);
+        let Noise {
+            counts: spp,
+            direction,
+            sums,
+            block,
+        } = &self.noise;
         vec![
             ("unknowns", self.unknowns.clone()),
             ("adam.first", self.first.clone()),
             ("adam.second", self.second.clone()),
             ("iterations", counts.to_vec()),
             ("best_loss", vec![self.best_loss]),
+            ("samples", spp.to_vec()),
+            ("direction", direction.clone()),
+            ("noise", [&sums[..], block].concat()),
         ]
     }
 
     /// The names of such arrays, and how many numbers each has for so many unknowns.
-    pub fn counts(unknowns: usize) -> [(&'static str, usize); 5] {
+    pub fn counts(unknowns: usize) -> [(&'static str, usize); 8] {
         [
             ("unknowns", unknowns),
             ("adam.first", unknowns),
             ("adam.second", unknowns),
             ("iterations", 2),
             ("best_loss", 1),
+            ("samples", 2),
+            ("direction", unknowns),
+            ("noise", 7),
         ]
     }
 
@@ -79,6 +95,14 @@ impl State {
             true => Ok(x as u32),
             false => Err(format!("\"iterations\" has {x}; expected whole numbers")),
         };
+        let sums = array("noise", 7)?;
+        let spp = array("samples", 2)?;
+        let is_count = |x: &f64| (1.0..=f64::from(u32::MAX)).contains(x);
+        if let Some(wrong) = spp.iter().find(|x| !is_count(x)) {
+            return Err(format!(
+                "\"samples\" has {wrong}; expected numbers of at least 1"
+            ));
+        }
         Ok(Self {
             iteration: count(counts[0])?,
             unknowns: array("unknowns", unknowns)?,
@@ -86,6 +110,12 @@ impl State {
             second: array("adam.second", unknowns)?,
             best_loss: array("best_loss", 1)?[0],
             best_iteration: count(counts[1])?,
+            noise: Noise {
+                counts: [spp[0], spp[1]],
+                direction: array("direction", unknowns)?,
+                sums: [0, 1, 2, 3].map(|i| sums[i]),
+                block: [4, 5, 6].map(|i| sums[i]),
+            },
         })
     }
 }
@@ -103,6 +133,12 @@ mod tests {
             second: vec![2.0, 5e-324],
             best_loss: f64::INFINITY,
             best_iteration: 4_000_000_000,
+            noise: Noise {
+                counts: [16.5, 4.0],
+                direction: vec![-0.0, 1e300],
+                sums: [1.0, 2.0, 3.0, 3.5],
+                block: [4.0, 5.0, 6.0],
+            },
         };
         let numbers = state.to_numbers();
         let counts = numbers.iter().map(|(name, numbers)| (*name, numbers.len()));
@@ -113,7 +149,10 @@ mod tests {
         };
         assert_eq!(State::from_numbers(2, find), Ok(state));
         let error = State::from_numbers(3, find).expect_err("too few");
-        assert!(error.contains("\"unknowns\" has 2 numbers; expected 3"));
+        assert!(
+            error.contains("\"unknowns\" has 2 numbers; expected 3"),
+            "{error}"
+        );
         let none = State::from_numbers(2, |_| None).expect_err("nothing");
         assert!(none.contains("no array \"iterations\""));
     }

@@ -5,6 +5,7 @@ use capwalk_diff::{Method, PreparedScene, RenderOptions, Unwatched, WalkSettings
 use capwalk_inverse::Limits;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
+use capwalk_inverse::samples::ByNoise;
 use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_inverse::variable::vertices::{Directions, Selection};
 use capwalk_inverse::variable::{Curve, VariableSpec};
@@ -101,6 +102,7 @@ fn problem() -> Problem {
         seed: 0,
         spp: 24,
         spp_grad: 16,
+        by_noise: None,
         method: Method::Walk,
         walk: WalkSettings::default(),
     }
@@ -164,5 +166,71 @@ fn gradients_are_derivatives_of_the_loss() {
         // There is something to be wrong.
         let power = size.mean.abs() / error.standard_error();
         assert!(power > 5.0, "direction {k}: {power}");
+    }
+}
+
+/// Where sample counts follow the noise, the variance of the descent along the last step is known, over both halves of
+/// the gradient, whether the noise of images or that of gradients is larger: on average over seeds it is the variance over
+/// seeds. Its mean is the one of a gradient in one piece.
+#[test]
+fn the_noise_of_the_descent_is_known() {
+    let mut problem = problem();
+    let initial = problem.variables.initial();
+    let direction: Vec<f64> = (0..initial.len())
+        .map(|i| 0.01 * (1.3 * i as f64).cos())
+        .collect();
+    let mut views = PreparedViews::new();
+    let mut descents = |spp: [u32; 2], by_noise, seeds: std::ops::Range<u64>| {
+        [problem.spp, problem.spp_grad] = spp;
+        problem.by_noise = by_noise;
+        let steps = seeds.map(|seed| {
+            problem.seed = seed;
+            let mut state = at(&problem, initial.clone());
+            state.noise.direction.clone_from(&direction);
+            let step = problem
+                .iterate(&state, &mut views, &Unwatched)
+                .expect("a step");
+            step.row.step.expect("a step").descent
+        });
+        steps.collect::<Vec<_>>()
+    };
+    let mean = |numbers: Vec<f64>| {
+        let mut moments = Moments::default();
+        numbers.into_iter().for_each(|x| moments.add(x));
+        (moments.mean, moments.standard_error())
+    };
+    let rule = ByNoise {
+        theta: 0.9,
+        most: 1000,
+    };
+    let whole = descents([24, 16], None, 0..100);
+    let (whole, error) = mean(whole.iter().map(|found| found.value).collect());
+    for spp in [[2, 64], [32, 4]] {
+        let found = descents(spp, Some(rule), 1000..1200);
+        let (value, own_error) = mean(found.iter().map(|found| found.value).collect());
+        let z = (value - whole) / error.hypot(own_error);
+        assert!(z.abs() < 4.0, "{spp:?}: {value} {whole}");
+        assert!(
+            value.abs() > 5.0 * own_error,
+            "{spp:?}: {value} ± {own_error}"
+        );
+        // Of 200 descents, known to a tenth.
+        let variance = own_error * own_error * found.len() as f64;
+        let (by_both, _) = mean(
+            found
+                .iter()
+                .map(|found| found.by[0] + found.by[1])
+                .collect(),
+        );
+        let (by_image, _) = mean(found.iter().map(|found| found.by[0]).collect());
+        println!(
+            "{spp:?}: {value} ± {own_error}, {} of it, {}",
+            by_both / variance,
+            by_image / variance
+        );
+        assert!(
+            (by_both / variance - 1.0).abs() < 0.3,
+            "{spp:?}: {by_both} {variance}"
+        );
     }
 }

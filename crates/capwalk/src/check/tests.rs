@@ -3,7 +3,7 @@
 mod verdicts;
 
 use super::*;
-use capwalk_diff::{Estimate, Statistics, UsedDevice};
+use capwalk_diff::{Dips, Estimate, Statistics, UsedDevice};
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
 

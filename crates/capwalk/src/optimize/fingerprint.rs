@@ -21,6 +21,7 @@ pub fn fingerprint(
     note("seed".into(), problem.seed.to_string());
     note("spp".into(), problem.spp.to_string());
     note("spp_grad".into(), problem.spp_grad.to_string());
+    note("[samples]".into(), format!("{:?}", problem.by_noise));
     let optimizer = format!("lr {}, {:?}", problem.lr, problem.adam);
     note("[optimizer]".into(), optimizer);
     note("[schedule]".into(), format!("{:?}", problem.schedule));

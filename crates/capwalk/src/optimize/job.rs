@@ -14,6 +14,7 @@ use capwalk_inverse::Limits;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::Loss;
+use capwalk_inverse::samples::LEAST;
 use capwalk_inverse::schedule::Schedule;
 use capwalk_inverse::variable::VariableSpec;
 use capwalk_scene_io::LoadError;
@@ -21,6 +22,7 @@ use capwalk_scene_io::toml::{Document, Place, Table, Value};
 
 use super::duration::parse_duration;
 pub(super) use method_keys::MethodKeys;
+use optimizer::SamplesKeys;
 use table::{MOST, integer};
 pub(super) use view::{Define, Located, TargetKeys, ViewKeys};
 
@@ -61,6 +63,7 @@ pub(super) struct Keys {
     pub seed: u64,
     pub spp: Option<u32>,
     pub spp_grad: Option<u32>,
+    pub samples: Option<SamplesKeys>,
     pub time_limit: Option<Duration>,
     /// An image in every so many iterations; 0 for none.
     pub images: u32,
@@ -139,15 +142,24 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
         None => None,
     };
     let (lr, adam, uniform) = optimizer::optimizer(&root)?;
+    // The error of an image is the spread of its samples.
+    let spp = integer(&root, "spp", 2..=MOST)?.map(|n| n as u32);
+    let least = if root.get("samples").is_some() {
+        LEAST[1]
+    } else {
+        1
+    };
+    let spp_grad = integer(&root, "spp_grad", least.into()..=MOST)?.map(|n| n as u32);
+    let largest = spp.max(spp_grad).unwrap_or(0).max(LEAST[1]);
     let keys = Keys {
         scene,
         defines: view::defines(&root)?,
         size: root.get("size").map(|value| size(&value)).transpose()?,
         output,
         seed: integer(&root, "seed", 0..=i64::MAX)?.unwrap_or(0) as u64,
-        // The error of an image is the spread of its samples.
-        spp: integer(&root, "spp", 2..=MOST)?.map(|n| n as u32),
-        spp_grad: integer(&root, "spp_grad", 1..=MOST)?.map(|n| n as u32),
+        spp,
+        spp_grad,
+        samples: optimizer::samples(&root, largest)?,
         time_limit,
         images: integer(&root, "images", 0..=MOST)?.map_or(10, |n| n as u32),
         lr,

@@ -1,6 +1,7 @@
 //! From a job to a problem: scenes are loaded, targets read, or left to be rendered.
 
 use capwalk_diff::{Purpose, RenderOptions, Seed, Watch};
+use capwalk_inverse::samples::LEAST;
 use capwalk_inverse::variable::{VariableSpec, Variables, variable};
 use capwalk_inverse::{Problem, Stop, TargetView};
 use capwalk_scene::params::Registry;
@@ -62,6 +63,8 @@ impl Job {
         let scene = self.load(&keys.scene, &[], None, &mut found)?;
         let variables = self.variables(&scene, &keys.parameters)?;
         let spp = keys.spp.unwrap_or(scene.settings.spp.max(2));
+        let least = if keys.samples.is_some() { LEAST[1] } else { 1 };
+        let spp_grad = keys.spp_grad.unwrap_or(spp.max(least));
         let (mut views, mut pending) = (Vec::new(), Vec::new());
         for (number, view) in keys.views.iter().enumerate() {
             let (view, target) = self.view(&scene, &variables, view, number, &mut found)?;
@@ -80,7 +83,8 @@ impl Job {
             limits: keys.limits,
             seed: keys.seed,
             spp,
-            spp_grad: keys.spp_grad.unwrap_or(spp),
+            spp_grad,
+            by_noise: keys.samples.map(|keys| keys.rule([spp, spp_grad])),
             method,
             walk,
             scene,

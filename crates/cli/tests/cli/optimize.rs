@@ -199,7 +199,7 @@ to_world = [[-1, 0, 0, 0.1], [0, 0.8, -0.6, 2], [0, -0.6, -0.8, 2.5], [0, 0, 0, 
         .map(|x| x.parse().expect(x))
         .collect();
     assert!(
-        (row[1] - (2.0 * row[8] + row[9]) / 3.0).abs() < 1e-12,
+        (row[1] - (2.0 * row[13] + row[14]) / 3.0).abs() < 1e-12,
         "{row:?}"
     );
     for view in 1..=2 {

@@ -1,10 +1,11 @@
-//! How the loss is made smaller: `[optimizer]`, `[schedule]`, `[loss]`, `[guards]` and
+//! How the loss is made smaller: `[optimizer]`, `[samples]`, `[schedule]`, `[loss]`, `[guards]` and
 //! `[stop]`.
 
 use capwalk_inverse::Limits;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
+use capwalk_inverse::samples::ByNoise;
 use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
@@ -35,6 +36,41 @@ pub fn optimizer(root: &Table) -> Result<(f64, Adam, bool), LoadError> {
     let uniform = truth(&table, "uniform")?.unwrap_or(false);
     table.finish()?;
     Ok((lr, adam, uniform))
+}
+
+/// That sample counts follow the noise.
+#[derive(Clone, Copy, Debug)]
+pub struct SamplesKeys {
+    theta: f64,
+    most: Option<u32>,
+}
+
+impl SamplesKeys {
+    /// The rule, if the first step has so many samples.
+    pub fn rule(self, spp: [u32; 2]) -> ByNoise {
+        let largest = spp[0].max(spp[1]);
+        let most = self.most.unwrap_or(largest.saturating_mul(MOST_TIMES));
+        ByNoise {
+            theta: self.theta,
+            most: most.max(largest),
+        }
+    }
+}
+
+/// The most samples, if a job does not say how many, as a multiple of those of the first gradient.
+const MOST_TIMES: u32 = 16;
+
+/// How sample counts follow the noise, if they do; so many are asked for at the start, or more.
+pub fn samples(root: &Table, largest: u32) -> Result<Option<SamplesKeys>, LoadError> {
+    let Some(table) = root.table("samples")? else {
+        return Ok(None);
+    };
+    let keys = SamplesKeys {
+        theta: positive(&table, "theta")?.unwrap_or(0.9),
+        most: integer(&table, "most", largest.into()..=MOST)?.map(|n| n as u32),
+    };
+    table.finish()?;
+    Ok(Some(keys))
 }
 
 /// The schedule of the learning rate; constant without.

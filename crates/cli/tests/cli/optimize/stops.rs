@@ -30,6 +30,23 @@ fn runs_stop_for_a_reason() {
         0,
         &["not become smaller for 3 iterations"],
     );
+    // At the optimum, with as many samples as there may be.
+    let found = format!("{SMALL}[samples]\nmost = 8").replace("spp = 64", "spp = 4096");
+    let one = found
+        .split("[[parameter]]\nname = \"floor")
+        .next()
+        .expect("a parameter");
+    let rest = found.split("[optimizer]").nth(1).expect("an optimizer");
+    let there = one.replace("bounds = [-1, 1]", "start = 0.2");
+    stop(
+        "optimum",
+        &format!("{there}[optimizer]{rest}").replace("iterations = 40", "iterations = 200"),
+        0,
+        &[
+            "the descent cannot be told from zero",
+            "over the last 20 steps",
+        ],
+    );
     // A floor that reflects less than nothing.
     let outside = SMALL.replace("reparam = \"sigmoid\"", "lr = 10").replace(
         "\"leaf.translate.x\" = 0.2",
