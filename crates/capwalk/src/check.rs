@@ -130,6 +130,14 @@ impl Reference {
         }
     }
 
+    /// That of the next reference: a smaller one, unless a step was asked for.
+    fn smaller_step(&self) -> f64 {
+        match self.fits_scene {
+            true => self.step / f64::from(SECOND_FACTOR),
+            false => self.step,
+        }
+    }
+
     /// The step with the sides that it is taken to.
     fn over(&self) -> String {
         let sign = match self.sides {
@@ -213,7 +221,7 @@ impl Check {
         let is_wanted = self.is_open && self.references < MOST_REFERENCES;
         let contradicts = self.contradiction().is_some() && self.reference.statistics.complete;
         (contradicts && is_wanted).then(|| {
-            let Reference { spp, step, .. } = self.made;
+            let Reference { spp, .. } = self.made;
             Reference {
                 spp: match self.references {
                     1 => spp.saturating_mul(SECOND_FACTOR),
@@ -221,10 +229,7 @@ impl Check {
                 },
                 fits_noise: false,
                 seed: self.made.seed ^ NEXT_SEED.rotate_left(self.references - 1),
-                step: match self.made.fits_scene {
-                    true => step / f64::from(SECOND_FACTOR),
-                    false => step,
-                },
+                step: self.made.smaller_step(),
                 ..self.made
             }
         })
@@ -358,13 +363,15 @@ impl Check {
     }
 
     /// How to make the reference that the second gradient is compared with, if that is contradicted
-    /// as well: with more samples than all before and other random numbers. The references before
-    /// were looked at until they agreed, and may all have met too few rare events.
+    /// as well: with more samples than all before, other random numbers, and a smaller step if it is
+    /// up to us. The references before were looked at until they agreed, and may all have met too few
+    /// rare events, or edges that lie closer to the borders of pixels than their steps.
     pub(crate) fn confirmation(&self) -> Option<Reference> {
         matches!(&self.comparison.verdict, Verdict::Wrong { .. }).then(|| Reference {
             spp: self.made.spp.saturating_mul(SECOND_FACTOR),
             fits_noise: false,
             seed: self.made.seed ^ CONFIRMATION_SEED,
+            step: self.made.smaller_step(),
             ..self.made
         })
     }
@@ -377,6 +384,7 @@ impl Check {
         (made, image): (Reference, GradientImage),
     ) -> Self {
         let samples = self.reference_samples + image.statistics.samples;
+        let fits_scene = self.made.fits_scene;
         let counted = Self {
             references: self.references + 1,
             reference_samples: samples,
@@ -388,7 +396,15 @@ impl Check {
         let again = Self::new(gradient, (made, image), Vec::new());
         match &again.comparison.verdict {
             Verdict::Wrong { .. } => counted,
-            _ => counted.not_confirmed(&again, "a second gradient and another reference do"),
+            _ => {
+                let step = if fits_scene {
+                    " over a smaller step"
+                } else {
+                    ""
+                };
+                let without = format!("a second gradient and another reference{step} do");
+                counted.not_confirmed(&again, &without)
+            }
         }
     }
 
@@ -402,7 +418,7 @@ impl Check {
         self.not_called_wrong(needed * f64::from(SECOND_FACTOR), |reason| {
             format!(
                 "{reason}, which {without} not confirm: where few rare events were met, errors are \
-                 too small"
+                 too small, and where an edge lies on the border of a pixel, steps are too large"
             )
         })
     }

@@ -164,7 +164,7 @@ fn the_second_reference_decides() {
     }
     // A second gradient and a reference of its own must call it wrong by themselves.
     let made = both().confirmation().expect("it is wrong");
-    assert_eq!((made.step, made.spp), (0.0025, 16000));
+    assert_eq!((made.step, made.spp), (0.000625, 16000));
     let confirmed = |gradient: GradientImage, image: &GradientImage| {
         both().with_confirmation(gradient, (made, image.clone()))
     };
@@ -173,8 +173,14 @@ fn the_second_reference_decides() {
     assert_eq!((check.references, check.made.step), (3, 0.0025));
     assert_eq!(check.reference_samples, 3 * right.statistics.samples);
     for (image, words) in [
-        (&right, "another reference do not confirm"),
-        (&noisy, "another reference do not confirm"),
+        (
+            &right,
+            "another reference over a smaller step do not confirm",
+        ),
+        (
+            &noisy,
+            "another reference over a smaller step do not confirm",
+        ),
         (&cut, "no time"),
     ] {
         let check = confirmed(waves(8, 1.0, 0.0, 0.1), image);
