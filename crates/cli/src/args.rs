@@ -171,6 +171,16 @@ pub struct OutputArgs {
     pub json: bool,
 }
 
+/// How numbers of either sign become colours.
+#[derive(Args, Debug)]
+pub struct ColourArgs {
+    /// In PNG files, the number at which the colours of derivatives and differences end on both sides,
+    /// spread evenly: the same for images that are to be compared [default: chosen from the image,
+    /// logarithmic where silhouettes are far above the rest]
+    #[arg(long, value_name = "X", value_parser = parse::limit)]
+    pub limit: Option<f64>,
+}
+
 /// What moves.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = true)]
@@ -254,6 +264,8 @@ pub struct Gradient {
     /// take, from 16 on (`check` always does)
     #[arg(long)]
     pub adaptive: bool,
+    #[command(flatten)]
+    pub colours: ColourArgs,
     #[command(flatten)]
     pub output: OutputArgs,
 }
@@ -357,6 +369,8 @@ pub struct Compare {
     /// have it, else value]
     #[arg(long, value_name = "NAME")]
     pub layer: Option<String>,
+    #[command(flatten)]
+    pub colours: ColourArgs,
     #[command(flatten)]
     pub output: OutputArgs,
 }

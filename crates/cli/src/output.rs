@@ -5,14 +5,16 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
-use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview};
-use capwalk::{Error, Estimate, FilesRead, RenderOptions, Setting, Statistics};
+use capwalk::scene_io::image::{self, LayeredImage, Panel, Preview, Scale};
+use capwalk::{Error, Estimate, FilesRead, Image, RenderOptions, Setting, Statistics};
 
 use crate::args::SceneArgs;
 
 /// Output files of a command, checked.
 pub struct Files {
     paths: Vec<PathBuf>,
+    /// How PNG files look.
+    preview: Preview,
 }
 
 impl Files {
@@ -36,7 +38,24 @@ impl Files {
                 .rev()
                 .for_each(|folder| drop(fs::remove_dir(folder)));
         }
-        checked.map(|()| Self { paths })
+        checked.map(|()| Self {
+            paths,
+            preview: Preview::default(),
+        })
+    }
+
+    /// The same files, where the colours of derivatives end there.
+    pub fn limited(self, limit: Option<f64>) -> Self {
+        let preview = Preview {
+            limit,
+            ..self.preview
+        };
+        Self { preview, ..self }
+    }
+
+    /// The colours of derivatives or differences in panels.
+    pub fn scale<'a>(&self, images: impl IntoIterator<Item = &'a Image>) -> Scale {
+        (self.preview.limit).map_or_else(|| Scale::of(images), Scale::even)
     }
 
     /// Makes sure that the files can be written, in folders that are `made` for them.
@@ -64,7 +83,7 @@ impl Files {
             if is_png && !panels.is_empty() {
                 image::write_panels(path, panels, &layered.metadata)?;
             } else {
-                image::write(path, layered, &Preview::default())?;
+                image::write(path, layered, &self.preview)?;
             }
         }
         let names = self.paths.iter();

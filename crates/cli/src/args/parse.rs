@@ -91,6 +91,14 @@ pub fn step(text: &str) -> Result<f64, String> {
     }
 }
 
+/// Where colours end.
+pub fn limit(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(limit) if limit > 0.0 && limit.is_finite() => Ok(limit),
+        _ => Err("expected a number above 0".into()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

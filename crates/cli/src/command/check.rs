@@ -28,7 +28,8 @@ pub fn run(args: &args::Check) -> Result<Outcome> {
         ..source::options(&typed.sampling, scene)
     };
     let stem = format!("{}-check", source::stem(&typed.scene));
-    let files = Files::new(&typed.output.output, &stem, &["png"], &read)?;
+    let files =
+        Files::new(&typed.output.output, &stem, &["png"], &read)?.limited(typed.colours.limit);
     ensure!(
         method::typed(&typed.method) != TypedMethod::Fd,
         "check compares with finite differences: with --method fd there is nothing to check. Use \

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use anyhow::{Context, Result, ensure};
-use capwalk::scene_io::image::{GRADIENT, ImageFile, LayeredImage, Panel, Scale, Style, VALUE};
+use capwalk::scene_io::image::{GRADIENT, ImageFile, LayeredImage, Panel, Style, VALUE};
 use capwalk::text::listed;
 use capwalk::{Comparison, Estimate, Image, Rgb, Verdict};
 use serde_json::json;
@@ -42,7 +42,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
     let read = [&args.image, &args.reference].into_iter().collect();
     let files = match args.output.output.is_empty() {
         true => None,
-        false => Some(Files::new(&args.output.output, "", &[], &read)?),
+        false => Some(Files::new(&args.output.output, "", &[], &read)?.limited(args.colours.limit)),
     };
 
     let a = &image_of(&mut tested, layer, size, &args.image)?;
@@ -85,7 +85,7 @@ pub fn run(args: &Compare) -> Result<Outcome> {
         let panel = Panel {
             title: "difference",
             image: &difference,
-            style: Style::Diverging(Scale::of([&difference])),
+            style: Style::Diverging(files.scale([&difference])),
         };
         written = files.write(&result, &[panel])?;
     }

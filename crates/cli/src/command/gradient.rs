@@ -29,6 +29,7 @@ pub fn run(
     memory::check(scene, Need::Gradient)?;
     let stem = format!("{}-gradient", source::stem(&args.scene));
     let files = Files::new(&args.output.output, &stem, &["exr", "png"], &read)?;
+    let files = files.limited(args.colours.limit);
 
     let way = Way::new(args, options, || prepared.fine_difference_step(&tangent))?;
     let progress = Progress::new("gradient", progress::left_of(args.sampling.time_limit));

@@ -23,6 +23,26 @@ fn render_writes_all_formats() {
     assert!(capwalk.bytes("a.png").starts_with(b"\x89PNG"));
 }
 
+/// Colours end where they are asked to, in pictures alone.
+#[test]
+fn colours_have_a_limit() {
+    let capwalk = Capwalk::new("limit");
+    for command in ["gradient", "check"] {
+        let written = |limit: &str| {
+            let outputs = if limit.is_empty() { "a" } else { "b" };
+            capwalk.run(&format!(
+                "{command} leaf -p leaf.translate.x {TINY} {limit} -o {outputs}.png,{outputs}.npz"
+            ));
+            ["png", "npz"].map(|ending| capwalk.bytes(&format!("{outputs}.{ending}")))
+        };
+        let [free, wide] = ["", "--limit 1e3"].map(written);
+        assert!(free[0] != wide[0], "{command}");
+        assert!(free[1] == wide[1], "{command}");
+    }
+    let error = capwalk.error("gradient leaf -p leaf.translate.x --limit 0");
+    assert_has(&error, &["--limit", "above 0"]);
+}
+
 /// Layers and headers of what was written.
 #[test]
 fn files_say_what_they_are() {

@@ -23,7 +23,7 @@ pub fn write(
     let z = z_image(&check.comparison, &check.gradient.value.mean);
     let mut layered = layered(scene, parameter, checked);
     layered.push("z", z.clone());
-    files.write(&layered, &panels(check, &z))
+    files.write(&layered, &panels(files, check, &z))
 }
 
 /// All layers but z. What the image says of itself is true for gradient and
@@ -73,12 +73,12 @@ fn z_image(comparison: &Comparison, like: &Image) -> Image {
 }
 
 /// Value, gradient and reference with the same colours, and z.
-fn panels<'a>(check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
+fn panels<'a>(files: &Files, check: &'a Check, z: &'a Image) -> [Panel<'a>; 4] {
     let (gradient, reference) = (
         &check.gradient.gradient.mean,
         &check.reference.gradient.mean,
     );
-    let scale = Scale::of([gradient, reference]);
+    let scale = files.scale([gradient, reference]);
     let panel = |title, image, style| Panel {
         title,
         image,
