@@ -15,6 +15,7 @@ from ._capwalk import Scene
 from ._dictionary import load_dict
 from ._files import load_image, load_mesh, save_mesh
 from ._functions import backward, check, gradient, load_file, load_string, render
+from ._jobs import Optimization, optimize
 from ._method import Method
 from ._parameters import SceneParameters, traverse
 from ._results import Check, GradientImage, Gradients, Image
@@ -52,6 +53,7 @@ __all__ = [
     "LoadError",
     "MeshError",
     "Method",
+    "Optimization",
     "ParameterError",
     "Refused",
     "Scene",
@@ -69,6 +71,7 @@ __all__ = [
     "load_image",
     "load_mesh",
     "load_string",
+    "optimize",
     "render",
     "save_mesh",
     "traverse",

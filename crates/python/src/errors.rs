@@ -1,5 +1,6 @@
 //! Errors as the exceptions of `capwalk.errors`, which are written in Python.
 
+use capwalk::optimize::FolderError;
 use capwalk::scene_io::mesh::NamedMeshError;
 use capwalk::{DeviceFailure, Error, LoadError, Refusal};
 use pyo3::prelude::*;
@@ -26,6 +27,10 @@ pub fn exception(py: Python<'_>, error: impl Into<Error>) -> PyErr {
         Error::Refused(refusal) => {
             let parts = (text, refusal.reason(), refusal.instead());
             instance(py, "Refused", parts)
+        }
+        Error::Folder(FolderError::Taken { .. }) => {
+            let instead = "go on with it (resume=True), or give another output";
+            instance(py, "ArgumentError", (format!("{text}; {instead}"),))
         }
         Error::Device(failure) => device_error(py, failure, text),
         Error::Image(_) | Error::UnusableImage { .. } => instance(py, "ImageError", (text,)),

@@ -7,6 +7,7 @@ mod arrays;
 mod direction;
 mod errors;
 mod image;
+mod jobs;
 mod mesh;
 mod parts;
 mod results;
@@ -21,6 +22,8 @@ mod work;
 mod _capwalk {
     #[pymodule_export]
     use crate::image::{png, read_image, write_images};
+    #[pymodule_export]
+    use crate::jobs::optimize;
     #[pymodule_export]
     use crate::mesh::{read_mesh, write_mesh};
     #[pymodule_export]
