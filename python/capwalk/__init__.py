@@ -13,7 +13,7 @@ units, angles of parameters in radians.
 from . import cameras
 from ._capwalk import Scene
 from ._dictionary import load_dict
-from ._files import load_image, load_mesh, save_mesh
+from ._files import load_image, load_mesh, save_image, save_mesh
 from ._functions import backward, check, gradient, load_file, load_string, render
 from ._jobs import Optimization, optimize
 from ._method import Method
@@ -73,6 +73,7 @@ __all__ = [
     "load_string",
     "optimize",
     "render",
+    "save_image",
     "save_mesh",
     "traverse",
 ]

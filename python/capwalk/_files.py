@@ -7,9 +7,11 @@ import warnings
 from collections.abc import Mapping
 from typing import Any
 
+from numpy.typing import ArrayLike
+
 from . import _capwalk
 from ._dictionary import mesh_arrays
-from ._numbers import Array
+from ._numbers import Array, numbers
 from ._options import LARGEST_COUNT, integer
 from .errors import ArgumentError, LoadError, SceneWarning
 
@@ -95,6 +97,17 @@ def save_mesh(path: str | os.PathLike[str], mesh: Mapping[str, object]) -> None:
     _capwalk.write_mesh(os.fspath(path), arrays, faces)
 
 
+def save_image(path: str | os.PathLike[str], image: ArrayLike) -> None:
+    """Writes an image, linear RGB, (height, width, 3), or (height, width) for equal channels, such as a
+    target or a texture: to an ``.exr`` or ``.npz`` file its numbers in single precision, as
+    :func:`load_image` reads them; to a ``.png`` file with 8 bits in sRGB, clamped to 0 and 1.
+
+    :raises ArgumentError: the image has another shape.
+    :raises ImageError: the file cannot be written, or its name has another ending.
+    """
+    _capwalk.write_images(os.fspath(path), [("value", numbers("the image", image))], [], [])
+
+
 def load_image(
     path: str | os.PathLike[str], *, layer: str | None = None, raw: bool = False
 ) -> Array:
@@ -103,7 +116,8 @@ def load_image(
 
     Files with 8 or 16 bits are decoded from sRGB; colour profiles in them are not regarded. The
     others are linear: their numbers are as they are, negative, infinite or NaN in EXR and NPZ files,
-    too. Images of capwalk are written by ``save``, such as :meth:`Image.save`.
+    too. Images of capwalk are written by ``save``, such as :meth:`Image.save`, others by
+    :func:`save_image`.
 
     :param layer: one of the layers of a file, such as ``"gradient"``, or of the groups of channels
         of an EXR file; by default ``"value"``, which are its channels R, G, B, or else the only one.

@@ -191,6 +191,20 @@ def test_images_come_back(tmp_path: Path, scene: cw.Scene) -> None:
     assert np.abs(shown - image.value.clip(0, 1)).max() < 1 / 510 * 2.4 / 1.055 * 1.01
 
 
+def test_arrays_are_saved_as_images(tmp_path: Path) -> None:
+    image = np.linspace(-0.5, 1.5, 4 * 3 * 3).reshape(4, 3, 3)
+    for ending in ("exr", "npz"):
+        cw.save_image(tmp_path / f"image.{ending}", image)
+        assert np.array_equal(cw.load_image(tmp_path / f"image.{ending}"), image.astype(np.float32))
+    cw.save_image(tmp_path / "image.png", image)
+    shown = cw.load_image(tmp_path / "image.png")
+    assert np.abs(shown - image.clip(0, 1)).max() < 0.005
+    with pytest.raises(cw.ArgumentError, match="expected .height"):
+        cw.save_image(tmp_path / "image.exr", image[0, 0])
+    with pytest.raises(cw.ImageError, match="jpg"):
+        cw.save_image(tmp_path / "image.jpg", image)
+
+
 def test_colours_of_images() -> None:
     """As the textures of scenes have them."""
     path = ROOT / "parity/texels.png"
