@@ -21,6 +21,8 @@ PAGES = [
 ]
 
 NEEDS = {
+    "docs/how-to/coming-from-nvdiffrast.md": ["torch"],
+    "docs/how-to/coming-from-redner.md": ["torch"],
     "docs/how-to/custom-loss.md": ["torch"],
     "docs/how-to/many-views.md": ["torch"],
     "docs/scene-files.md": ["drjit", "mitsuba"],
