@@ -17,9 +17,10 @@ try:
 except metadata.PackageNotFoundError:
     release = ""
 
-extensions = ["myst_nb", "sphinx.ext.autodoc"]
+extensions = ["myst_nb", "sphinx.ext.autodoc", "sphinx_copybutton"]
 exclude_patterns = ["site", "**.ipynb_checkpoints"]
 
+myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
 nb_execution_mode = "off"
 
@@ -28,8 +29,13 @@ autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 autodoc_preserve_defaults = True
 
+# What is copied of an example in a docstring: its code.
+copybutton_prompt_text = r">>> |\.\.\. "
+copybutton_prompt_is_regexp = True
+
 html_theme = "furo"
 html_title = "capwalk"
+html_favicon = "favicon.svg"
 
 
 def without_links_outside(app, page, source):

@@ -31,11 +31,12 @@ const FRAMEWORKS: &[&str] = &[
     "ipykernel>=6",
     "matplotlib>=3.8",
     "sphinx>=8",
+    "sphinx-copybutton>=0.5",
     "myst-nb>=1.4",
     "furo>=2025",
 ];
-const MODULES_OF_FRAMEWORKS: &str =
-    "torch, jax, mitsuba, ray, nbclient, ipykernel, matplotlib, sphinx, myst_nb, furo";
+const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, nbclient, ipykernel, matplotlib, \
+                                     sphinx, sphinx_copybutton, myst_nb, furo";
 
 /// The Python of an environment with all that the tests need, or why there is none. Whoever
 /// asks for it first makes it; the others wait.
