@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from . import _capwalk
 from ._functions import Scene, load_file
 from ._progress import Progress, shown
+from ._report import page, pictures_in
 from .errors import SceneWarning, UnreliableWarning
 
 
@@ -34,6 +35,18 @@ class Optimization:
     def scene(self) -> Scene:
         """The scene with these values."""
         return load_file(self.folder / "scene.xml")
+
+    def report(self, path: str | os.PathLike[str] | None = None) -> Path:
+        """Writes one HTML page with the curves of the record and the pictures of the run, and nothing
+        outside it: by default ``report.html`` in the folder. Returns where it is. Pictures are there
+        if the job asks for them (``images``).
+        """
+        file = self.folder / "report.html" if path is None else Path(path)
+        pictures = pictures_in(self.folder / "images")
+        title = f"Optimisation in {self.folder.name}"
+        text = page(title, self.stopped, self.record, self.parameters, pictures)
+        file.write_text(text, encoding="utf-8")
+        return file
 
 
 def optimize(

@@ -63,6 +63,19 @@ def test_mistakes_have_their_place(tmp_path: Path) -> None:
         cw.optimize(job)
 
 
+def test_reports_are_one_page(tmp_path: Path) -> None:
+    """With all pictures and curves in it, and nothing that is not finite."""
+    job = tmp_path / "a <job>.toml"
+    job.write_text(JOB.replace("images = 0", "images = 2"))
+    found = cw.optimize(job)
+    text = found.report().read_text(encoding="utf-8")
+    assert found.report(tmp_path / "other.html").read_text(encoding="utf-8") == text
+    # Iterations 0, 2 and 4; loss, samples, gradient and the parameter.
+    assert text.count("data:image/png;base64") == 3 and text.count("<svg") == 4
+    assert "a &lt;job&gt;" in text and "leaf.translate.x" in text
+    assert not any(word in text for word in ("http", "src=\"/", "nan", "inf "))
+
+
 def test_bad_ends_are_warnings(tmp_path: Path) -> None:
     """A rate that throws the floor out of what can be rendered."""
     job = tmp_path / "job.toml"
