@@ -74,7 +74,7 @@ def optimize(
     A :class:`UnreliableWarning` says that a guard stopped the run, or that something was not
     finite. After Ctrl-C, ``resume=True`` goes on.
     """
-    with shown(progress, "optimize") as told:
+    with shown(progress, "optimize", "iteration") as told:
         path, folder = os.fspath(job), None if output is None else os.fspath(output)
         stopped, is_good, folder, of_files = _capwalk.optimize(path, folder, resume, threads, told)
     for warning in of_files:
@@ -86,6 +86,7 @@ def optimize(
         parameters = {name: file[name] for name in file.files if name != "metadata"}
     with (results / "record.csv").open(newline="") as lines:
         rows = list(csv.reader(lines))
-    columns = zip(*[[float(cell or "nan") for cell in row] for row in rows[1:]], strict=True)
-    record = {name: np.array(column) for name, column in zip(rows[0], columns, strict=True)}
+    cells = [[float(cell or "nan") for cell in row] for row in rows[1:]]
+    columns = np.array(cells).reshape(-1, len(rows[0])).T
+    record = dict(zip(rows[0], columns, strict=True))
     return Optimization(parameters, record, stopped, results)

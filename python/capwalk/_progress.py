@@ -12,12 +12,12 @@ Progress = bool | Told | None
 
 
 @contextmanager
-def shown(progress: Progress, what: str) -> Iterator[Told | None]:
+def shown(progress: Progress, what: str, unit: str = "sample") -> Iterator[Told | None]:
     """The function to be called with the progress, if one is wanted."""
     if callable(progress):
         yield progress
     elif progress is True:
-        with _bar(what) as bar:
+        with _bar(what, unit) as bar:
             yield bar
     elif progress is None or progress is False:
         yield None
@@ -26,7 +26,7 @@ def shown(progress: Progress, what: str) -> Iterator[Told | None]:
 
 
 @contextmanager
-def _bar(what: str) -> Iterator[Told]:
+def _bar(what: str, unit: str) -> Iterator[Told]:
     try:
         from tqdm.auto import tqdm  # type: ignore[import-untyped, unused-ignore]
     except ImportError:
@@ -37,7 +37,7 @@ def _bar(what: str) -> Iterator[Told]:
         finally:
             print(file=sys.stderr)
         return
-    with tqdm(desc=what, unit="sample", unit_scale=True) as bar:
+    with tqdm(desc=what, unit=unit, unit_scale=True) as bar:
 
         def show(done: int, total: int) -> None:
             bar.total = total

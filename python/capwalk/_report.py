@@ -34,16 +34,9 @@ def page(
 ) -> str:
     """The page. ``pictures`` are PNG files with their captions, in order."""
     loss, error = record["loss"], record["loss_stderr"]
-    rows = [
-        ("iterations", f"{len(loss) - 1:,}"),
-        ("stopped", stopped),
-        ("loss at first", f"{loss[0]:.4g} ± {error[0]:.2g}"),
-        ("loss at the end", f"{loss[-1]:.4g} ± {error[-1]:.2g}"),
-        (
-            "samples per pixel at the end",
-            f"{record['spp'][-1]:.0f} and {record['spp_grad'][-1]:.0f}",
-        ),
-    ]
+    rows = [("iterations", f"{max(len(loss) - 1, 0):,}"), ("stopped", stopped)]
+    if len(loss) > 0:
+        rows += _ends(record)
     for name, value in parameters.items():
         numbers = (
             ", ".join(f"{x:.5g}" for x in value.ravel())
@@ -73,6 +66,17 @@ def page(
         f"<style>{STYLE}</style><h1>{html.escape(title)}</h1><table>{table}</table>"
         f"<h2>Curves</h2>{''.join(charts)}<h2>Image, target and difference</h2>{shown}</html>\n"
     )
+
+
+def _ends(record: Mapping[str, Array]) -> list[tuple[str, str]]:
+    """The first and the last row of a record."""
+    loss, error = record["loss"], record["loss_stderr"]
+    spp, spp_grad = record["spp"][-1], record["spp_grad"][-1]
+    return [
+        ("loss at first", f"{loss[0]:.4g} ± {error[0]:.2g}"),
+        ("loss at the end", f"{loss[-1]:.4g} ± {error[-1]:.2g}"),
+        ("samples per pixel at the end", f"{spp:.0f} and {spp_grad:.0f}"),
+    ]
 
 
 def pictures_in(folder: Path) -> list[tuple[str, bytes]]:

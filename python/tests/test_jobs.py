@@ -76,6 +76,18 @@ def test_reports_are_one_page(tmp_path: Path) -> None:
     assert not any(word in text for word in ("http", "src=\"/", "nan", "inf "))
 
 
+def test_runs_without_an_iteration_are_results(tmp_path: Path) -> None:
+    job = tmp_path / "job.toml"
+    job.write_text(JOB.replace("size = [8, 6]", "size = [400, 300]").replace("spp = 4", "spp = 99999", 1))
+    job.write_text(job.read_text().replace("most = 32", "most = 99999") + "\n")
+    text = job.read_text().replace("iterations = 4", 'iterations = 4\ntime_limit = "3s"')
+    job.write_text(text.replace("spp = 64", "spp = 2"))
+    found = cw.optimize(job)
+    assert found.stopped == "the time limit is over"
+    assert all(len(column) == 0 for column in found.record.values()) and "spp" in found.record
+    assert "the time limit is over" in found.report().read_text(encoding="utf-8")
+
+
 def test_bad_ends_are_warnings(tmp_path: Path) -> None:
     """A rate that throws the floor out of what can be rendered."""
     job = tmp_path / "job.toml"

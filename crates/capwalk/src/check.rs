@@ -415,10 +415,14 @@ impl Check {
             Verdict::Inconclusive { samples_factor, .. } => samples_factor.max(1.0),
             _ => 1.0,
         };
+        let edges = match again.made.step < self.made.step {
+            true => ", and where an edge lies on the border of a pixel, steps are too large",
+            false => "",
+        };
         self.not_called_wrong(needed * f64::from(SECOND_FACTOR), |reason| {
             format!(
                 "{reason}, which {without} not confirm: where few rare events were met, errors are \
-                 too small, and where an edge lies on the border of a pixel, steps are too large"
+                 too small{edges}"
             )
         })
     }

@@ -15,7 +15,7 @@ mod run;
 pub use capwalk_inverse::adam::{Adam, MomentEstimates};
 pub use capwalk_inverse::guard::{Guards, Violation, ViolationKind};
 pub use capwalk_inverse::record::{Row, Step};
-pub use capwalk_inverse::samples::{ByNoise, Descent, NoDescent, Noise};
+pub use capwalk_inverse::samples::{ByNoise, Descent, NoDescent, StepNoise};
 pub use capwalk_inverse::schedule::{Decay, Schedule};
 pub use capwalk_inverse::smooth::Smoother;
 pub use capwalk_inverse::variable::{

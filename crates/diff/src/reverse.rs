@@ -160,6 +160,17 @@ impl<'a> BackwardWork<'a> {
         Self { kept, ..self }
     }
 
+    /// What this work finds out about the motion, for others of the same scene and with respect to the same.
+    pub fn facts(&self) -> Arc<MotionFacts> {
+        Arc::clone(&self.facts)
+    }
+
+    /// This work with what another one of the same scene, with respect to the same, found out.
+    #[must_use]
+    pub fn knowing(self, facts: Arc<MotionFacts>) -> Self {
+        Self { facts, ..self }
+    }
+
     /// This work with a pilot as for so many of its kind, for which its choice will be used.
     #[must_use]
     pub fn repeated(self, times: u64) -> Self {

@@ -72,7 +72,8 @@ impl<'a> CameraEdges<'a> {
         });
         let drawn = drawn.collect::<Result<Vec<_>, TooManyImages>>();
         let drawn = drawn.map_err(|_| Unsupported {
-            what: "mirrors have too many images".to_owned(),
+            what: "a pixel shows too many images, or edges in them, by flat mirrors and panes"
+                .to_owned(),
         })?;
         if drawn.is_empty() {
             return Ok(Some(Vec::new()));

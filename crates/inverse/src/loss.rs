@@ -83,6 +83,11 @@ impl Distance {
         }
     }
 
+    /// True if noise of the image changes the mean of the derivative.
+    pub fn is_biased_by_noise(self) -> bool {
+        self.of_variance(0.0).is_none()
+    }
+
     /// What a unit of variance in `x` adds on average, if that does not depend on
     /// `x`: half the second derivative of a square.
     fn of_variance(self, t: f64) -> Option<f64> {

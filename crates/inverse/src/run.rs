@@ -1,10 +1,11 @@
 //! One iteration of an optimisation: from a state to the next.
 
 use std::fmt;
+use std::sync::Arc;
 
 use capwalk_diff::{
     BackwardWork, Chosen, Estimate, GradientOptions, PreparedScene, Purpose, Refusal,
-    RenderOptions, Seed, Statistics, Unwatched, Watch, backward, render,
+    RenderOptions, Seed, Statistics, Unwatched, Watch, render,
 };
 use capwalk_math::Rgb;
 use capwalk_scene::{Image, Scene};
@@ -14,7 +15,7 @@ use crate::guard::Violation;
 use crate::loss::Measured;
 use crate::problem::{Limits, Problem};
 use crate::record::{Row, Step};
-use crate::samples::{Descent, NoDescent};
+use crate::samples::{Descent, LEAST, NoDescent};
 use crate::state::State;
 use crate::variable::ApplyError;
 use crate::views::PreparedViews;
@@ -70,12 +71,18 @@ impl fmt::Display for Stop {
                 "the loss has not become smaller for {patience} iterations; it was smallest in \
                  iteration {best_iteration}: {best_loss:.6e}"
             ),
-            Self::NoDescent(NoDescent { mean, error, steps }) => write!(
-                f,
-                "the descent cannot be told from zero: with the most samples it was {mean:.2e} ± \
-                 {error:.2e} on average over the last {steps} steps. This is the optimum as far as \
-                 so many samples and this learning rate can tell"
-            ),
+            Self::NoDescent(NoDescent { mean, error, steps }) => {
+                let what = match *mean < -2.0 * error {
+                    true => "the loss rises along its own steps: its descent",
+                    false => "the descent cannot be told from zero: it",
+                };
+                write!(
+                    f,
+                    "{what} was {mean:.2e} ± {error:.2e} on average over the last {steps} steps, \
+                     with the most samples. This is the optimum as far as so many samples and this \
+                     learning rate can tell; go on with a smaller `lr`, or a larger `most`"
+                )
+            }
             Self::Guard(violation) => write!(
                 f,
                 "in the next step {violation}. Take a smaller `lr`, a larger `lambda`, more \
@@ -189,7 +196,7 @@ impl Problem {
             });
         }
         // Stop here if enough was done, otherwise take a step.
-        let next = match self.limit(state, row.loss) {
+        let next = match self.limit(state, self.surely(&row)) {
             Some(stop) => Err(stop),
             None => self.step(state, &scene, views, &seen, &mut row, watch),
         };
@@ -206,14 +213,20 @@ impl Problem {
         }
     }
 
+    /// What the loss is at most, where losses have different noise: two standard errors more. Few samples would
+    /// make it small by accident.
+    fn surely(&self, row: &Row) -> f64 {
+        row.loss + self.by_noise.map_or(0.0, |_| 2.0 * row.loss_error)
+    }
+
     /// Why there is to be no step, if there is a reason.
-    fn limit(&self, state: &State, loss: f64) -> Option<Stop> {
+    fn limit(&self, state: &State, surely: f64) -> Option<Stop> {
         let Limits {
             iterations,
             loss_below,
             patience,
         } = self.limits;
-        if let Some(limit) = loss_below.filter(|&limit| loss <= limit) {
+        if let Some(limit) = loss_below.filter(|&limit| surely <= limit) {
             return Some(Stop::LossBelow { limit });
         }
         if state.iteration >= iterations {
@@ -223,7 +236,7 @@ impl Problem {
         if let Some(found) = state.noise.no_descent() {
             return Some(Stop::NoDescent(found));
         }
-        let patience = patience.filter(|&patience| waited >= patience && loss >= state.best_loss);
+        let patience = patience.filter(|&patience| waited >= patience && surely >= state.best_loss);
         patience.map(|patience| Stop::NoProgress {
             patience,
             best_iteration: state.best_iteration,
@@ -292,11 +305,18 @@ impl Problem {
         // Remember the smallest loss, for `patience`.
         let mut next = state.clone();
         next.iteration += 1;
-        if row.loss < state.best_loss {
-            (next.best_loss, next.best_iteration) = (row.loss, row.iteration);
+        let surely = self.surely(row);
+        if surely < state.best_loss {
+            (next.best_loss, next.best_iteration) = (surely, row.iteration);
         }
         if let Some(rule) = &self.by_noise {
-            next.noise.learn(rule, &gradient.descent);
+            // Where noise biases the gradient, images keep what they were given.
+            let of_images = match self.loss.distance.is_biased_by_noise() {
+                true => self.spp,
+                false => LEAST[0],
+            };
+            next.noise
+                .learn(rule, [of_images, LEAST[1]], &gradient.descent);
         }
         // Each variable takes a step of its own rate, times the factor of the schedule.
         let factor = self.schedule.factor(row.iteration, self.limits.iterations);
@@ -323,7 +343,11 @@ impl Problem {
                 .map(|(a, b)| a - b)
         };
         // A rate of 0 takes no step, and says nothing of the next one.
-        let per_rate = if factor > 0.0 { 1.0 / factor } else { 0.0 };
+        let per_rate = if factor.is_normal() {
+            1.0 / factor
+        } else {
+            0.0
+        };
         next.noise.direction = differences().map(|by| by * per_rate).collect();
         row.step = Some(Step {
             gradient: norm(gradient.numbers.iter().copied()),
@@ -364,7 +388,7 @@ impl Problem {
                 None => vec![seen.measured[i].adjoint.clone()],
                 Some(_) => self.perturbed(seen, i, row.iteration).to_vec(),
             };
-            let mut halves = Vec::new();
+            let (mut halves, mut facts) = (Vec::new(), None);
             for (half, adjoint) in adjoints.iter().enumerate() {
                 let adjoint = Image {
                     pixels: adjoint.pixels.iter().map(|&a| a * shares[i]).collect(),
@@ -375,10 +399,20 @@ impl Problem {
                 let iteration = u64::from(row.iteration);
                 let number = (i + half * views.len()) as u64;
                 let seed = Seed(self.seed).of_iteration(iteration, number, Purpose::Gradient);
-                let spp = row.spp[1] / adjoints.len() as u32;
+                let spp = match (adjoints.len(), half) {
+                    (1, _) => row.spp[1],
+                    (_, 0) => row.spp[1] / 2,
+                    _ => row.spp[1].div_ceil(2),
+                };
                 let options = self.gradient_options(RenderOptions::new(spp, seed.0));
-                let result =
-                    backward(prepared, &adjoint, &wanted, &options, watch).map_err(Stop::from)?;
+                // What is known of the motion is the same for all halves.
+                let work = BackwardWork::new(prepared, &adjoint, wanted.clone(), options);
+                let work = match &facts {
+                    None => work,
+                    Some(facts) => work.knowing(Arc::clone(facts)),
+                };
+                facts = Some(work.facts());
+                let result = work.whole(watch).map_err(Stop::from)?;
                 refuse_unusable("gradient", row.iteration, &result.statistics)?;
                 // From the scene to its values to the unknowns: two transposed linear maps.
                 let pull = |gradient: &_| {
@@ -392,16 +426,16 @@ impl Problem {
                     numbers
                 };
                 // Views and halves are independent: their variances add up.
-                let share = 1.0 / adjoints.len() as f64;
+                let share = f64::from(spp) / f64::from(row.spp[1]);
                 let (numbers, errors) = result.numbers(pull);
                 for k in 0..count {
                     sums[k] += share * numbers[k];
                     squares[k] += (share * errors[k]).powi(2);
                 }
-                halves.push(numbers[count - 1]);
+                halves.push((share, numbers[count - 1]));
             }
-            if let [a, b] = halves[..] {
-                variance += (0.5 * (a - b)).powi(2);
+            if let [(s, a), (t, b)] = halves[..] {
+                variance += s * t * (a - b).powi(2);
             }
         }
         let [along, by_gradient] = [&mut sums, &mut squares].map(|numbers| numbers[count - 1]);
@@ -411,7 +445,7 @@ impl Problem {
             numbers: sums,
             errors: squares.into_iter().map(f64::sqrt).collect(),
             descent: Descent {
-                value: -along,
+                value: 0.0 - along,
                 by: [variance - by_gradient, by_gradient],
             },
         })
@@ -450,7 +484,12 @@ impl Problem {
                 .iter()
                 .zip(more.pixels.iter().zip(&less.pixels));
             Image {
-                pixels: pixels.map(|(&a, (&b, &c))| a + (b - c) * by).collect(),
+                // Less light than none has no logarithm.
+                pixels: pixels
+                    .map(|(&a, (&b, &c))| {
+                        a + (b - c).map(|d| if d.is_finite() { by * d } else { 0.0 })
+                    })
+                    .collect(),
                 ..*adjoint
             }
         })

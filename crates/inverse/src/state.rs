@@ -1,7 +1,7 @@
 //! All that an optimisation remembers, as plain numbers.
 
 use crate::problem::Problem;
-use crate::samples::Noise;
+use crate::samples::StepNoise;
 
 /// Where an optimisation is. The next state is a function of it and of the
 /// problem: there are no random numbers in it, these have addresses.
@@ -20,7 +20,7 @@ pub struct State {
     /// The iteration in which it was.
     pub best_iteration: u32,
     /// What is remembered of the noise of steps.
-    pub noise: Noise,
+    pub noise: StepNoise,
 }
 
 /// An array of a checkpoint: its name and its numbers.
@@ -34,7 +34,7 @@ impl State {
             iteration: 0,
             first: vec![0.0; unknowns.len()],
             second: vec![0.0; unknowns.len()],
-            noise: Noise::new([problem.spp, problem.spp_grad], unknowns.len()),
+            noise: StepNoise::new([problem.spp, problem.spp_grad], unknowns.len()),
             unknowns,
             best_loss: f64::INFINITY,
             best_iteration: 0,
@@ -44,7 +44,7 @@ impl State {
     /// The state as named arrays, to the bit.
     pub fn to_numbers(&self) -> Vec<NamedArray> {
         let counts = [self.iteration, self.best_iteration].map(f64::from);
-        let Noise {
+        let StepNoise {
             counts: spp,
             direction,
             sums,
@@ -97,6 +97,13 @@ impl State {
         };
         let sums = array("noise", 7)?;
         let spp = array("samples", 2)?;
+        let values = array("unknowns", unknowns)?;
+        let direction = array("direction", unknowns)?;
+        if let Some(wrong) = sums.iter().chain(&direction).find(|x| !x.is_finite()) {
+            return Err(format!(
+                "what is known of noise has {wrong}; expected finite numbers"
+            ));
+        }
         let is_count = |x: &f64| (1.0..=f64::from(u32::MAX)).contains(x);
         if let Some(wrong) = spp.iter().find(|x| !is_count(x)) {
             return Err(format!(
@@ -105,14 +112,14 @@ impl State {
         }
         Ok(Self {
             iteration: count(counts[0])?,
-            unknowns: array("unknowns", unknowns)?,
+            unknowns: values,
             first: array("adam.first", unknowns)?,
             second: array("adam.second", unknowns)?,
             best_loss: array("best_loss", 1)?[0],
             best_iteration: count(counts[1])?,
-            noise: Noise {
+            noise: StepNoise {
                 counts: [spp[0], spp[1]],
-                direction: array("direction", unknowns)?,
+                direction,
                 sums: [0, 1, 2, 3].map(|i| sums[i]),
                 block: [4, 5, 6].map(|i| sums[i]),
             },
@@ -133,7 +140,7 @@ mod tests {
             second: vec![2.0, 5e-324],
             best_loss: f64::INFINITY,
             best_iteration: 4_000_000_000,
-            noise: Noise {
+            noise: StepNoise {
                 counts: [16.5, 4.0],
                 direction: vec![-0.0, 1e300],
                 sums: [1.0, 2.0, 3.0, 3.5],

@@ -65,8 +65,9 @@ fn ended(
     let folder = output.unwrap_or_else(|| job.output().to_owned());
     let mut run = Run::begin(job, &folder, resume, &until)?;
     let total = u64::from(run.problem().limits.iterations);
+    watch.progress(u64::from(run.state().iteration).min(total), total);
     let stop = run.go(&until, |iteration| {
-        watch.progress(u64::from(iteration.row.iteration).min(total), total);
+        watch.progress((u64::from(iteration.row.iteration) + 1).min(total), total);
         ControlFlow::Continue(())
     });
     let stop = stop.map_err(|error| match error {

@@ -136,7 +136,10 @@ pub fn detached<T: Send>(py: Python<'_>, work: impl FnOnce() -> T + Send) -> PyR
 fn tell(how: &How<'_>, shared: &Shared) -> PyResult<()> {
     if let Some(progress) = &how.progress {
         let [done, total] = [&shared.done, &shared.total].map(|n| n.load(Ordering::Relaxed));
-        progress.call1((done, total))?;
+        // Nothing is known before the first stage.
+        if total > 0 {
+            progress.call1((done, total))?;
+        }
     }
     Ok(())
 }

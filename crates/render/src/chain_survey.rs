@@ -2,11 +2,12 @@
 //! their rays dip below faces. Magnification is what a small turn of a direction does to that in which the chain sees
 //! something at the end, but for the cosines of angles at mirrors and glass ([`Bent::cosine`]).
 
-use capwalk_boundary::{Accel, Stream};
+use capwalk_boundary::{Accel, MAX_EVENTS, Stream, bends_images};
 use capwalk_math::{Dual, Frame, Vec3};
 
 use crate::chain::{Bent, Link, Start, drawn_chain, follow};
 use crate::estimate::Dips;
+use crate::plan::Plan;
 use crate::still::Still;
 
 /// How many paths are followed.
@@ -74,6 +75,15 @@ impl ChainSurvey {
             .find(|x| x.is_finite() && *x > 0.0)
             .unwrap_or(1.0)
     }
+}
+
+/// True if paths may bring light by specular events whose silhouettes no field of a viewpoint has.
+pub fn may_have_chains(accel: &Accel) -> bool {
+    let (scene, plan) = (&accel.scene, Plan::new(&accel.scene));
+    let is_long = plan.events_behind(0) >= MAX_EVENTS;
+    let has_flat = accel.has_flat_events() && (accel.view.is_parallel() || is_long);
+    let may_miss = || has_flat || scene.shapes.iter().any(|shape| bends_images(scene, shape));
+    plan.aov.is_none() && plan.sampling.bsdf_samples > 0 && may_miss()
 }
 
 fn median(mut numbers: Vec<f64>) -> f64 {

@@ -6,10 +6,9 @@ use capwalk_boundary::{Accel, Motion};
 use capwalk_geometry::{EdgeSubset, uncounted};
 use capwalk_scene::Scene;
 
-use crate::chain_survey::ChainSurvey;
+use crate::chain_survey::{ChainSurvey, may_have_chains};
 use crate::estimate::Dips;
 use crate::pixel_silhouettes::PixelSilhouettes;
-use crate::tracer::may_have_chains;
 
 /// What tracers find out about one motion of a prepared scene; kept, it changes no result. Tracers
 /// of the same motion, as far as sampling knows it, can share it, whatever their methods: with the

@@ -45,7 +45,7 @@ impl<R> CameraEdge<R> {
     }
 }
 
-/// There are too many images in mirrors to gather the edges of all of them.
+/// There are too many images in mirrors, or edges in them, to gather all of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooManyImages;
 

@@ -24,7 +24,7 @@ pub struct PixelSilhouettes {
     kept: AtomicUsize,
 }
 
-/// The pieces of a pixel; `None` if there are too many images in mirrors. In a box: most pixels of large
+/// The pieces of a pixel; `None` if there are too many images in mirrors, or edges in them. In a box: most pixels of large
 /// images have none.
 type OfPixel = OnceLock<Option<Box<SilhouettePieces>>>;
 
@@ -215,6 +215,10 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
                     true => speed(points, range[k], offsets[k], normal),
                     false => image_speed(image, points, range[k], offsets[k], normal),
                 });
+                // What stays contributes nothing.
+                if first + last == 0.0 {
+                    continue;
+                }
                 weighed.push(Weighed {
                     edge,
                     image: number,
@@ -230,10 +234,10 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         }
         most = most.min(weighed.len() + MOST_MIRRORED);
     }
-    // Relative to the fastest one; those that stay contribute nothing.
+    // Relative to the fastest one.
     let fastest = weighed.iter().map(|piece| piece.speed).fold(0.0, f64::max);
     let mut pieces = SilhouettePieces::of_camera(images);
-    for piece in weighed.iter().filter(|piece| piece.speed != 0.0) {
+    for piece in &weighed {
         pieces.push_seen(
             piece.edge,
             piece.image,

@@ -2,14 +2,13 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{
-    Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, MAX_EVENTS, Motion, Numbers, bends_images,
-};
+use capwalk_boundary::{Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, Numbers};
 use capwalk_geometry::{EdgeSelection, EdgeSubset, Halt, Halted, uncounted};
 use capwalk_math::Real;
 use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
+use crate::chain_survey::may_have_chains;
 use crate::emitter_sampler::EmitterSampler;
 use crate::motion_facts::MotionFacts;
 use crate::options::Watch;
@@ -314,23 +313,6 @@ impl<'a> Tracer<'a> {
         let moving = self.moving.as_ref();
         &moving.expect("only scenes that move are walked in").walks
     }
-}
-
-/// True if paths bring light by specular events.
-fn has_specular_light(plan: &Plan) -> bool {
-    plan.aov.is_none() && plan.sampling.bsdf_samples > 0
-}
-
-/// True if paths may take part in specular events whose silhouettes no field of a viewpoint has, and bring light.
-pub(crate) fn may_have_chains(accel: &Accel) -> bool {
-    has_specular_light(&Plan::new(&accel.scene)) && may_miss(accel)
-}
-
-fn may_miss(accel: &Accel) -> bool {
-    let scene = &accel.scene;
-    let is_long = || Plan::new(scene).events_behind(0) >= MAX_EVENTS;
-    let has_flat = accel.has_flat_events() && (accel.view.is_parallel() || is_long());
-    has_flat || scene.shapes.iter().any(|shape| bends_images(scene, shape))
 }
 
 /// Angular cutoff of the camera's field, in pixels: farther than this from every boundary,

@@ -359,6 +359,7 @@ fn find(
         },
         seed: settings.options(effort.spp, 60 + seed).seed,
         spp: effort.spp,
+        by_noise: None,
         spp_grad: effort.spp,
         method,
         walk: WalkSettings::default(),

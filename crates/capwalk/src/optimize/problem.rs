@@ -62,7 +62,9 @@ impl Job {
         let keys = &self.keys;
         let scene = self.load(&keys.scene, &[], None, &mut found)?;
         let variables = self.variables(&scene, &keys.parameters)?;
-        let spp = keys.spp.unwrap_or(scene.settings.spp.max(2));
+        // That of the scene is no wish for more than a job allows.
+        let most = keys.samples.and_then(|keys| keys.most).unwrap_or(u32::MAX);
+        let spp = keys.spp.unwrap_or(scene.settings.spp.max(2).min(most));
         let least = if keys.samples.is_some() { LEAST[1] } else { 1 };
         let spp_grad = keys.spp_grad.unwrap_or(spp.max(least));
         let (mut views, mut pending) = (Vec::new(), Vec::new());

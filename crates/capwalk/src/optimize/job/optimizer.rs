@@ -42,7 +42,7 @@ pub fn optimizer(root: &Table) -> Result<(f64, Adam, bool), LoadError> {
 #[derive(Clone, Copy, Debug)]
 pub struct SamplesKeys {
     theta: f64,
-    most: Option<u32>,
+    pub most: Option<u32>,
 }
 
 impl SamplesKeys {
@@ -57,7 +57,7 @@ impl SamplesKeys {
     }
 }
 
-/// The most samples, if a job does not say how many, as a multiple of those of the first gradient.
+/// The most samples, if a job does not say how many, as a multiple of those of the first image or gradient.
 const MOST_TIMES: u32 = 16;
 
 /// How sample counts follow the noise, if they do; so many are asked for at the start, or more.
