@@ -6,9 +6,9 @@ import capwalk as cw
 import matplotlib.pyplot as plt
 import numpy as np
 
-width, spp = map(int, sys.argv[1:] or (192, 48))
+width, spp = map(int, sys.argv[1:] or (192, 32))
 place = cw.Transform()
-v, u = np.mgrid[0:64, 0:64] * (np.pi / 8)
+v, u = np.mgrid[0:128, 0:128] * (np.pi / 4)
 waves = np.stack([0.5 + 0.4 * np.cos(u), np.full_like(u, 0.4), 0.5 + 0.4 * np.cos(v)], axis=2)
 scene = cw.load_dict({
     "type": "scene",

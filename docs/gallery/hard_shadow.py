@@ -15,7 +15,8 @@ scene = cw.load_dict({
     "camera": {"type": "perspective", "fov": 36, "to_world": place.look_at([1.5, 2.2, 3.6], [0.25, 0.35, 0], [0, 1, 0]),
                "film": {"type": "hdrfilm", "width": width, "height": width * 3 // 4}},
     "floor": {"type": "rectangle", "to_world": place.rotate([1, 0, 0], -90).scale(5)},
-    "cube": {"type": "cube", "to_world": cube, "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.7, 0.4, 0.2]}}},
+    "cube": {"type": "cube", "to_world": cube,
+             "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.7, 0.4, 0.2]}}},
     "bulb": {"type": "point", "position": [-1.2, 3, 1.2], "intensity": 14.0},
 })  # fmt: skip
 derivative = cw.gradient(scene, "cube.rotate.y", spp=spp)

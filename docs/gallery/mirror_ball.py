@@ -1,4 +1,4 @@
-"""A cube moves before a mirror ball: python mirror_ball.py [WIDTH SPP] writes mirror_ball.png."""
+"""A cube moves before a ball of gold: python mirror_ball.py [WIDTH SPP] writes mirror_ball.png."""
 
 import sys
 
@@ -6,7 +6,7 @@ import capwalk as cw
 import matplotlib.pyplot as plt
 import numpy as np
 
-width, spp = map(int, sys.argv[1:] or (192, 48))
+width, spp = map(int, sys.argv[1:] or (192, 32))
 place = cw.Transform()
 scene = cw.load_dict({
     "type": "scene",
@@ -14,9 +14,9 @@ scene = cw.load_dict({
     "camera": {"type": "perspective", "fov": 40, "to_world": place.look_at([0, 1.6, 5], [-0.2, 0.8, 0], [0, 1, 0]),
                "film": {"type": "hdrfilm", "width": width, "height": width * 3 // 4}},
     "floor": {"type": "rectangle", "to_world": place.rotate([1, 0, 0], -90).scale(6)},
-    "ball": {"type": "sphere", "center": [0.4, 1, 0], "bsdf": {"type": "conductor"}},
+    "ball": {"type": "sphere", "center": [0.4, 1, 0], "bsdf": {"type": "conductor", "material": "Au"}},
     "cube": {"type": "cube", "to_world": place.translate([-1.2, 0.45, 0.9]).rotate([0, 1, 0], 30).scale(0.35),
-             "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.8, 0.3, 0.1]}}},
+             "bsdf": {"type": "diffuse", "reflectance": {"type": "rgb", "value": [0.1, 0.3, 0.8]}}},
     "sky": {"type": "constant", "radiance": 0.8},
 })  # fmt: skip
 image = cw.render(scene, spp=4 * spp)

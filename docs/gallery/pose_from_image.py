@@ -6,16 +6,15 @@ import capwalk as cw
 import matplotlib.pyplot as plt
 import numpy as np
 
-width, spp, steps = map(int, sys.argv[1:] or (96, 8, 60))
+width, spp, steps = map(int, sys.argv[1:] or (96, 8, 50))
 scene = cw.load_file("box-room")
 scene.resize(width, width * 3 // 4)
 params = cw.traverse(scene)
-placed = params["box.to_world"].copy()
-middle = params["box.positions"].mean(axis=0)
+placed, middle = params["box.to_world"].copy(), params["box.positions"].mean(axis=0)
 names = ["box.translate.x", "box.translate.z", "box.rotate.y"]
 
 
-def image_of(pose, seed):
+def image_of(pose, seed, spp=4 * spp):
     moved = cw.Transform().translate(middle + [pose[0], 0, pose[1]]).rotate([0, 1, 0], np.degrees(pose[2]))
     params["box.to_world"] = moved.translate(-middle).matrix @ placed
     params.update()
@@ -27,7 +26,7 @@ pose = {"box": np.array([-0.4, 0.3, 0.6])}
 images = {"before": image_of(pose["box"], seed=1)}
 adam = cw.Adam(lr=0.03)
 for step in range(1, steps + 1):
-    adjoint = 2 * (image_of(pose["box"], seed=2 * step) - target) / target.size
+    adjoint = 2 * (image_of(pose["box"], seed=2 * step, spp=spp) - target) / target.size
     grads = cw.backward(scene, adjoint, names, spp=spp, seed=2 * step + 1)
     adam.step(pose, {"box": np.array([grads[name].item() for name in names])})
 images |= {"after": image_of(pose["box"], seed=1), "target": target}
