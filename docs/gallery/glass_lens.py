@@ -6,7 +6,7 @@ import capwalk as cw
 import matplotlib.pyplot as plt
 import numpy as np
 
-width, spp = map(int, sys.argv[1:] or (192, 32))
+width, spp = map(int, sys.argv[1:] or (160, 24))
 place = cw.Transform()
 v, u = np.mgrid[0:128, 0:128] * (np.pi / 4)
 waves = np.stack([0.5 + 0.4 * np.cos(u), np.full_like(u, 0.4), 0.5 + 0.4 * np.cos(v)], axis=2)

@@ -7,15 +7,15 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 width, spp, steps = map(int, sys.argv[1:] or (72, 8, 60))
-angle = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+angle, faces = np.arange(40) * (np.pi / 20), [[0, (i + 1) % 40 + 1, i + 1] for i in range(40)]
 rim = np.stack([np.cos(angle), np.zeros(40), np.sin(angle)], axis=1)
-faces = [[0, (i + 1) % 40 + 1, i + 1] for i in range(40)]
 scene = cw.load_dict({
     "type": "scene", "integrator": {"type": "direct"},
     "camera": {"type": "perspective", "fov": 42, "to_world": cw.Transform().look_at([0, 1.5, 2.4], [0, 0, 0], [0, 1, 0])},
     "floor": {"type": "rectangle", "to_world": cw.Transform().rotate([1, 0, 0], -90).scale(4)},
     "sheet": {"type": "mesh", "positions": np.vstack([[0, 2, 0], 0.5 * rim + [0, 2, 0]]), "faces": faces},
-    "lamp": {"type": "sphere", "center": [0, 6, 0], "radius": 0.3, "emitter": {"type": "area", "radiance": 250.0}},
+    "lamp": {"type": "rectangle", "to_world": cw.Transform().translate([0, 6, 0]).rotate([1, 0, 0], 90).scale(0.3),
+             "emitter": {"type": "area", "radiance": 250.0}},
 })  # fmt: skip
 scene.resize(width, width * 3 // 4)
 params, found, adam = cw.traverse(scene), {"radius": np.full(40, 0.5)}, cw.Adam(lr=0.01)

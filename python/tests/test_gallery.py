@@ -1,6 +1,6 @@
 """The scripts of the gallery run with few pixels, samples and steps, and each writes its picture.
 
-``python python/tests/test_gallery.py [NAME...]`` runs them as they are, and stores the pictures in 96 colours.
+``python python/tests/test_gallery.py [NAME...]`` runs them as they are, and stores the pictures in 256 colours.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def store(name: str) -> None:
     with tempfile.TemporaryDirectory() as folder, pytest.MonkeyPatch.context() as monkeypatch:
         monkeypatch.chdir(folder)
         run(name, [], monkeypatch)
-        picture = Image.open(f"{name}.png").convert("RGB").quantize(96)
+        picture = Image.open(f"{name}.png").convert("RGB").quantize(256)
         picture.save(PICTURES / f"{name}.png", optimize=True)
     print(name, os.path.getsize(PICTURES / f"{name}.png"), "bytes")
 
