@@ -6,8 +6,8 @@ import capwalk as cw
 import matplotlib.pyplot as plt
 import numpy as np
 
-width, spp, steps = map(int, sys.argv[1:] or (64, 8, 50))
-size, K = (width, width * 3 // 4), [[1.4 * width, 0, width / 2], [0, 1.4 * width, width * 3 // 4 / 2], [0, 0, 1]]
+width, spp, steps = map(int, sys.argv[1:] or (64, 8, 100))
+size, K = (width, width * 3 // 4), [[2 * width, 0, width / 2], [0, 2 * width, width * 3 // 4 / 2], [0, 0, 1]]
 world_to_camera = [[1, 0, 0, 0], [0, -1, 0, 0.4], [0, 0, -1, 5.0]]
 scene = cw.load_dict({
     "type": "scene", "integrator": {"type": "direct"},
@@ -18,7 +18,7 @@ scene = cw.load_dict({
 })  # fmt: skip
 params, names = cw.traverse(scene), ["camera.translate", "camera.x_fov"]
 photograph, true_fov = cw.render(scene, spp=16 * spp, seed=0).value, params["camera.x_fov"].item()
-params.update({"camera.x_fov": params["camera.x_fov"] + 8, "camera.translate": np.array([0.3, 0.2, 0.0])})
+params.update({"camera.x_fov": params["camera.x_fov"] + 6, "camera.translate": np.array([0.3, 0.2, 0.0])})
 errors = {"before": cw.render(scene, spp=16 * spp, seed=1).value - photograph}
 moved, zoomed, fovs = cw.Adam(lr=0.01), cw.Adam(lr=0.4), []
 for step in range(1, steps + 1):
