@@ -9,8 +9,8 @@ use crate::shell::{cargo, packages, root, start, target};
 /// Files of the workspace that every crate's folder has a link to.
 const LICENCES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
 
-/// Packs every crate that may be published, and demands a description, the readme
-/// and the licences. With `verify`, also builds each from its package alone, which
+/// Packs every crate that may be published, and demands a description, the readme,
+/// the licences, and one version for all of them. With `verify`, also builds each from its package alone, which
 /// takes as long as building everything.
 pub fn run(verify: bool) -> Result<()> {
     let published = packages()?;
@@ -27,6 +27,14 @@ pub fn run(verify: bool) -> Result<()> {
         for key in ["description", "readme"] {
             if package[key].is_null() {
                 wanting.push(format!("{name} has no {key} in its Cargo.toml"));
+            }
+        }
+        let version = format!("^{}", package["version"].as_str().unwrap_or_default());
+        let dependencies = package["dependencies"].as_array().into_iter().flatten();
+        for dependency in dependencies.filter(|dependency| !dependency["path"].is_null()) {
+            if dependency["req"] != version.as_str() {
+                let (other, asked) = (&dependency["name"], &dependency["req"]);
+                wanting.push(format!("{name} asks for {other} {asked}, not {version}"));
             }
         }
         let manifest = package["manifest_path"].as_str();
