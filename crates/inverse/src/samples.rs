@@ -47,7 +47,7 @@ pub struct StepNoise {
     /// Running sums over steps, with weights that fall: of the weights, the squared descent less what noise adds to it,
     /// and its variances [`Descent::by`] for one sample per pixel.
     pub sums: [f64; 4],
-    /// How many steps in a row had the most samples, and too much noise, up to [`BLOCK`]; the sums of their descents and
+    /// How many steps in a row had the most samples, and too much noise, up to 20; the sums of their descents and
     /// of the squares.
     pub block: [f64; 3],
 }
