@@ -281,6 +281,53 @@ fn fine_ball_before_a_mirror() {
     assert!(largest < MOST_VARIANCE, "{variances:?}");
 }
 
+/// Where a mirror shows too many edges in a pixel, the camera's field is walked there, as if no edges were gathered in
+/// pixels at all: 9,000 triangles apart behind the camera. The edges of 100 are gathered.
+#[test]
+fn too_many_edges_in_a_mirror_are_walked() {
+    let derivative = |triangles: u32, method| {
+        let mut scene = empty(v(0.0, 0.0, 0.0), v(0.0, 1.0, 0.0), 40.0, 1);
+        let wall =
+            Affine::translate(v(0.0, 2.0, 0.0)) * Affine::rotate(v(1.0, 0.0, 0.0), FRAC_PI_2);
+        let (mirror, normals) = rectangle(wall * Affine::scale(Vec3::splat(2.0)));
+        add(&mut scene, "mirror", mirror, normals, 0.5);
+        make(&mut scene, "mirror", |n| n.mirror());
+        let corners = (0..3 * triangles).map(|corner| {
+            let i = f64::from(corner / 3);
+            let centre = [0.618_034, 0.414_214].map(|k| 2.0 * (i * k).fract() - 1.0);
+            let aside = [[0.0, 0.0], [0.05, 0.0], [0.0, 0.05]][corner as usize % 3];
+            v(centre[0] + aside[0], -3.0, centre[1] + aside[1])
+        });
+        let mesh = Mesh {
+            positions: corners.collect(),
+            faces: (0..triangles)
+                .map(|i| [3 * i, 3 * i + 2, 3 * i + 1])
+                .collect(),
+        };
+        add(&mut scene, "dust", mesh, ShadingNormals::Face, 0.0);
+        light_up(&mut scene, 1.0);
+        paths(&mut scene, 2);
+        let tangent = tangent(&scene, "dust.translate.x");
+        let settings = GradientOptions {
+            method,
+            ..GradientOptions::new(RenderOptions::new(256, 3))
+        };
+        let prepared = PreparedScene::new(scene);
+        let result = gradient(&prepared, &tangent, &settings, &Unwatched).expect("covered");
+        result.gradient
+    };
+    let walked = Method::Edges(Gathers {
+        camera: false,
+        ..Gathers::ALL
+    });
+    for (triangles, are_gathered) in [(100, true), (9_000, false)] {
+        let [gathered, walked] =
+            [Method::EDGES, walked].map(|method| derivative(triangles, method));
+        assert!(walked.standard_error.pixels[0].r > 0.0, "{triangles}");
+        assert_eq!(gathered != walked, are_gathered, "{triangles}");
+    }
+}
+
 /// Halves of a mirror that rounding bends against each other by less than makes an
 /// edge are one mirror: what lies far behind the camera is seen across both.
 #[test]
