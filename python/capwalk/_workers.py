@@ -250,6 +250,7 @@ def _seen(ids: Sequence[str], names: Sequence[str], sensor: int) -> list[str]:
 
 def _together(statistics: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     """The statistics of all views."""
+
     def first(texts: Sequence[str | None]) -> str | None:
         return next(filter(None, texts), None)
 

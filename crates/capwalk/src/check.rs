@@ -384,7 +384,6 @@ impl Check {
         (made, image): (Reference, GradientImage),
     ) -> Self {
         let samples = self.reference_samples + image.statistics.samples;
-        let fits_scene = self.made.fits_scene;
         let counted = Self {
             references: self.references + 1,
             reference_samples: samples,
@@ -397,10 +396,9 @@ impl Check {
         match &again.comparison.verdict {
             Verdict::Wrong { .. } => counted,
             _ => {
-                let step = if fits_scene {
-                    " over a smaller step"
-                } else {
-                    ""
+                let step = match counted.made.fits_scene {
+                    true => " over a smaller step",
+                    false => "",
                 };
                 let without = format!("a second gradient and another reference{step} do");
                 counted.not_confirmed(&again, &without)

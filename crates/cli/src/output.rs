@@ -55,7 +55,7 @@ impl Files {
 
     /// The colours of derivatives or differences in panels.
     pub fn scale<'a>(&self, images: impl IntoIterator<Item = &'a Image>) -> Scale {
-        (self.preview.limit).map_or_else(|| Scale::of(images), Scale::even)
+        self.preview.scale(images)
     }
 
     /// Makes sure that the files can be written, in folders that are `made` for them.

@@ -133,6 +133,7 @@ struct Gradient {
     numbers: Vec<f64>,
     /// Standard error of each, for the images as they were.
     errors: Vec<f64>,
+    /// Along the last step.
     descent: Descent,
 }
 
@@ -384,12 +385,16 @@ impl Problem {
         for (i, prepared) in views.iter().enumerate() {
             // The adjoint image of the view: s_v ∂loss/∂I_v. If sample counts follow the noise,
             // each half of the samples has another one.
-            let adjoints = match self.by_noise {
-                None => vec![seen.measured[i].adjoint.clone()],
-                Some(_) => self.perturbed(seen, i, row.iteration).to_vec(),
+            let spp = row.spp[1];
+            let parts = match self.by_noise {
+                None => vec![(seen.measured[i].adjoint.clone(), spp)],
+                Some(_) => {
+                    let [more, less] = self.perturbed(seen, i, row.iteration);
+                    vec![(more, spp / 2), (less, spp.div_ceil(2))]
+                }
             };
             let (mut halves, mut facts) = (Vec::new(), None);
-            for (half, adjoint) in adjoints.iter().enumerate() {
+            for (half, (adjoint, own_spp)) in parts.iter().enumerate() {
                 let adjoint = Image {
                     pixels: adjoint.pixels.iter().map(|&a| a * shares[i]).collect(),
                     ..*adjoint
@@ -399,12 +404,7 @@ impl Problem {
                 let iteration = u64::from(row.iteration);
                 let number = (i + half * views.len()) as u64;
                 let seed = Seed(self.seed).of_iteration(iteration, number, Purpose::Gradient);
-                let spp = match (adjoints.len(), half) {
-                    (1, _) => row.spp[1],
-                    (_, 0) => row.spp[1] / 2,
-                    _ => row.spp[1].div_ceil(2),
-                };
-                let options = self.gradient_options(RenderOptions::new(spp, seed.0));
+                let options = self.gradient_options(RenderOptions::new(*own_spp, seed.0));
                 // What is known of the motion is the same for all halves.
                 let work = BackwardWork::new(prepared, &adjoint, wanted.clone(), options);
                 let work = match &facts {
@@ -426,7 +426,7 @@ impl Problem {
                     numbers
                 };
                 // Views and halves are independent: their variances add up.
-                let share = f64::from(spp) / f64::from(row.spp[1]);
+                let share = f64::from(*own_spp) / f64::from(spp);
                 let (numbers, errors) = result.numbers(pull);
                 for k in 0..count {
                     sums[k] += share * numbers[k];

@@ -45,8 +45,8 @@ pub struct Statistics {
     pub effort: u64,
     /// Where it was computed.
     pub device: UsedDevice,
-    /// Of a derivative in which what is seen in curved mirrors or through glass may move: on 1024 paths from the
-    /// camera.
+    /// Rays that dip below faces, on 1024 paths from the camera: of derivatives in which what is seen in curved mirrors
+    /// or through glass may move, none of others.
     pub dips: Dips,
 }
 

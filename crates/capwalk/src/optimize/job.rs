@@ -14,7 +14,6 @@ use capwalk_inverse::Limits;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::Loss;
-use capwalk_inverse::samples::LEAST;
 use capwalk_inverse::schedule::Schedule;
 use capwalk_inverse::variable::VariableSpec;
 use capwalk_scene_io::LoadError;
@@ -23,6 +22,7 @@ use capwalk_scene_io::toml::{Document, Place, Table, Value};
 use super::duration::parse_duration;
 pub(super) use method_keys::MethodKeys;
 use optimizer::SamplesKeys;
+pub(super) use optimizer::least_of_gradients;
 use table::{MOST, integer};
 pub(super) use view::{Define, Located, TargetKeys, ViewKeys};
 
@@ -144,13 +144,9 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
     let (lr, adam, uniform) = optimizer::optimizer(&root)?;
     // The error of an image is the spread of its samples.
     let spp = integer(&root, "spp", 2..=MOST)?.map(|n| n as u32);
-    let least = if root.get("samples").is_some() {
-        LEAST[1]
-    } else {
-        1
-    };
+    let least = optimizer::least_of_gradients(root.get("samples").is_some());
     let spp_grad = integer(&root, "spp_grad", least.into()..=MOST)?.map(|n| n as u32);
-    let largest = spp.max(spp_grad).unwrap_or(0).max(LEAST[1]);
+    let largest = spp.max(spp_grad).unwrap_or(0).max(least);
     let keys = Keys {
         scene,
         defines: view::defines(&root)?,

@@ -1,7 +1,6 @@
 //! From a job to a problem: scenes are loaded, targets read, or left to be rendered.
 
 use capwalk_diff::{Purpose, RenderOptions, Seed, Watch};
-use capwalk_inverse::samples::LEAST;
 use capwalk_inverse::variable::{VariableSpec, Variables, variable};
 use capwalk_inverse::{Problem, Stop, TargetView};
 use capwalk_scene::params::Registry;
@@ -9,7 +8,7 @@ use capwalk_scene::{Film, Image, Scene, Sensor, builtin};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Place;
 
-use super::job::{Define, Job, Located, MethodKeys, TargetKeys, ViewKeys};
+use super::job::{Define, Job, Located, MethodKeys, TargetKeys, ViewKeys, least_of_gradients};
 use super::posed::{LoadedProblem, Pending, PosedProblem};
 use crate::error::Error;
 use crate::images::{read_layer, read_mask};
@@ -65,7 +64,7 @@ impl Job {
         // That of the scene is no wish for more than a job allows.
         let most = keys.samples.and_then(|keys| keys.most).unwrap_or(u32::MAX);
         let spp = keys.spp.unwrap_or(scene.settings.spp.max(2).min(most));
-        let least = if keys.samples.is_some() { LEAST[1] } else { 1 };
+        let least = least_of_gradients(keys.samples.is_some());
         let spp_grad = keys.spp_grad.unwrap_or(spp.max(least));
         let (mut views, mut pending) = (Vec::new(), Vec::new());
         for (number, view) in keys.views.iter().enumerate() {

@@ -85,10 +85,7 @@ pub fn angle(text: &str) -> Result<f64, String> {
 
 /// A difference step above 0, in units of the parameter.
 pub fn step(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(step) if step > 0.0 && step.is_finite() => Ok(step),
-        _ => Err("expected a number above 0, in units of the parameter".into()),
-    }
+    limit(text).map_err(|why| format!("{why}, in units of the parameter"))
 }
 
 /// Where colours end.

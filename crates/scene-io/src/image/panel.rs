@@ -47,6 +47,13 @@ pub struct Preview {
     pub limit: Option<f64>,
 }
 
+impl Preview {
+    /// The false colours of gradients and differences.
+    pub fn scale<'a>(&self, images: impl IntoIterator<Item = &'a Image>) -> Scale {
+        self.limit.map_or_else(|| Scale::of(images), Scale::even)
+    }
+}
+
 /// What there is to say about a file that was written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Written {
@@ -137,7 +144,7 @@ pub(super) fn write_preview(
     let canvas = if name == VALUE {
         photograph(image, preview.exposure)
     } else {
-        let scale = (preview.limit).map_or_else(|| Scale::of([image]), Scale::even);
+        let scale = preview.scale([image]);
         check_limit(path, scale.limit)?;
         limit = Some(scale.limit);
         let title = title(name, &layered.metadata);

@@ -5,7 +5,7 @@ use capwalk_inverse::Limits;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
-use capwalk_inverse::samples::ByNoise;
+use capwalk_inverse::samples::{ByNoise, LEAST};
 use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
@@ -49,16 +49,20 @@ impl SamplesKeys {
     /// The rule, if the first step has so many samples.
     pub fn rule(self, spp: [u32; 2]) -> ByNoise {
         let largest = spp[0].max(spp[1]);
-        let most = self.most.unwrap_or(largest.saturating_mul(MOST_TIMES));
         ByNoise {
             theta: self.theta,
-            most: most.max(largest),
+            most: (self.most).unwrap_or(largest.saturating_mul(MOST_TIMES)),
         }
     }
 }
 
 /// The most samples, if a job does not say how many, as a multiple of those of the first image or gradient.
 const MOST_TIMES: u32 = 16;
+
+/// The fewest samples per pixel of a gradient, where sample counts follow the noise or not.
+pub fn least_of_gradients(by_noise: bool) -> u32 {
+    if by_noise { LEAST[1] } else { 1 }
+}
 
 /// How sample counts follow the noise, if they do; so many are asked for at the start, or more.
 pub fn samples(root: &Table, largest: u32) -> Result<Option<SamplesKeys>, LoadError> {
