@@ -5,15 +5,22 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 from numpy.typing import ArrayLike
 
 from . import _capwalk
 from ._dictionary import mesh_arrays
+from ._glb import ATTRIBUTES, glb_bytes
 from ._numbers import Array, numbers
+from ._obj import KEYWORDS, obj_bytes
 from ._options import LARGEST_COUNT, integer
-from .errors import ArgumentError, LoadError, SceneWarning
+from .errors import ArgumentError, LoadError, MeshError, SceneWarning
+
+_WRITERS = {".obj": (KEYWORDS, obj_bytes), ".glb": (ATTRIBUTES, glb_bytes)}
+"""What of a mesh a format has a place for, by names and numbers in a row, and the bytes of a file. The
+module writes ``.ply`` files, which have a place for all arrays."""
 
 
 def load_mesh(
@@ -63,30 +70,60 @@ def load_mesh(
 
 
 def save_mesh(path: str | os.PathLike[str], mesh: Mapping[str, object]) -> None:
-    """Writes a mesh to a ``.ply`` file, binary and in double precision, so that :func:`load_mesh`
-    gives the same numbers, normals as unit vectors. Other formats are not written, and neither is
-    ``"face_normals"``, which a file has no place for. A shape of a scene::
+    """Writes a mesh to a file in the format of its ending, whole or not at all. A shape of a scene::
 
         positions = cw.traverse(scene)["bunny.positions"]
-        cw.save_mesh("bunny.ply", {"positions": positions, "faces": scene.faces("bunny")})
+        cw.save_mesh("bunny.glb", {"positions": positions, "faces": scene.faces("bunny")})
 
-    :param mesh: its arrays, named as by :func:`load_mesh`: ``"positions"`` and ``"faces"``, and
-        perhaps ``"normals"``, ``"uvs"``, ``"vertex_..."`` and ``"face_..."``.
-    :raises ArgumentError: an array is missing or has another shape, there is no face, something is
-        no array of a mesh, or a name has blanks.
+    :func:`load_mesh` gives the same arrays, with normals made unit, as far as the format has a place
+    for them:
+
+    * ``.ply``: all of them, in double precision;
+    * ``.obj``: positions, normals and texture coordinates, with all digits of double precision, but
+      for v, which is rounded as it is turned round. Vertices are numbered anew when such a file is
+      read, in the order in which faces use them, and those without a face are left out;
+    * ``.glb``, binary glTF: these and ``"vertex_color"``, (V, 3), in single precision. Without
+      normals such a mesh has ``"face_normals"``.
+
+    Axes and units are written as they are, in world space if the positions are those of a scene.
+
+    :param mesh: its arrays, named as by :func:`load_mesh`: ``"positions"``, (V, 3), and ``"faces"``,
+        (F, 3), and perhaps ``"normals"``, (V, 3), ``"uvs"``, (V, 2), ``"vertex_..."`` and
+        ``"face_..."``.
+    :raises ArgumentError: an array is missing, has another shape or no place in the format, there
+        is no face, or a name has blanks.
     :raises MeshError: the file cannot be written, or its name has another ending.
     """
     if not isinstance(mesh, Mapping):
         raise TypeError(f"the mesh is a {type(mesh).__name__}; expected a dictionary of arrays")
-    given = [(name, value) for name, value in mesh.items() if name != "type" or value != "mesh"]
-    entries = [(name, value, f'mesh["{name}"]') for name, value in given]
+    path = os.fspath(path)
+    ending = os.path.splitext(path)[1].lower()
+    if ending not in (".ply", *_WRITERS):
+        raise MeshError(
+            f"the name {path} does not tell a format of meshes that is written; expected the ending "
+            ".ply, .obj or .glb: choose one of these, and convert the file if a program needs another"
+        )
+    is_flat = ending == ".glb" and mesh.get("face_normals") is True and "normals" not in mesh
+    entries = [
+        (name, value, f'mesh["{name}"]')
+        for name, value in mesh.items()
+        if not (name == "type" and value == "mesh" or name == "face_normals" and is_flat)
+    ]
     try:
         arrays, faces, others = mesh_arrays(entries, "mesh")
     except LoadError as error:
         raise ArgumentError(str(error)) from None
-    if others:
-        names = ", ".join(f'"{name}"' for name, _, _ in others)
-        raise ArgumentError(f"a .ply file has no place for {names}; leave them out of the mesh")
+    left_over = [name for name, _, _ in others]
+    if ending in _WRITERS:
+        places, made = _WRITERS[ending]
+        left_over += [name for name, array in arrays if (name, array.shape[1]) not in places]
+    if left_over:
+        names = ", ".join(f'"{name}"' for name in left_over)
+        article = "an" if ending == ".obj" else "a"
+        raise ArgumentError(
+            f"{article} {ending} file has no place for {names}; leave them out of the mesh"
+            + ("" if others else ", or write a .ply file")
+        )
     for name, _ in arrays:
         if not name.isprintable() or " " in name:
             raise ArgumentError(
@@ -94,7 +131,25 @@ def save_mesh(path: str | os.PathLike[str], mesh: Mapping[str, object]) -> None:
             )
     if len(faces) == 0:
         raise ArgumentError("the mesh has no faces; expected at least one, or no file can be read")
-    _capwalk.write_mesh(os.fspath(path), arrays, faces)
+    if ending in _WRITERS:
+        _write(path, made(dict(arrays), faces))
+    else:
+        _capwalk.write_mesh(path, arrays, faces)
+
+
+def _write(path: str, data: bytes) -> None:
+    """Writes a file under a temporary name, and moves it to its place when it is complete."""
+    place = Path(path)
+    # As files of the module are called meanwhile.
+    temporary = place.with_name(f".{place.name}.{os.getpid()}.capwalk-tmp")
+    try:
+        try:
+            temporary.write_bytes(data)
+            temporary.replace(place)
+        finally:
+            temporary.unlink(missing_ok=True)
+    except OSError as error:
+        raise MeshError(f"cannot write {path}: {error.strerror}") from None
 
 
 def save_image(path: str | os.PathLike[str], image: ArrayLike) -> None:

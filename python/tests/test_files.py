@@ -78,6 +78,144 @@ def test_meshes_are_those_that_scenes_read(
     assert np.allclose(rendered({**again, **more}), expected, rtol=1e-9, atol=1e-9)
 
 
+def single(rows: list[list[float]]) -> np.ndarray[Any, Any]:
+    """Numbers in single precision."""
+    return np.array(rows, dtype=np.float32)
+
+
+def tent() -> dict[str, Any]:
+    """Four vertices in single precision, which the faces use in order."""
+    return {
+        "type": "mesh",
+        "positions": single([[0.1, 0, -1e-9], [1, 0.3, 0], [0, 1, 1e7], [0.7, 1 / 3, 0.5]]),
+        "normals": np.eye(4, 3) + [0, 0, 0.75],
+        "uvs": single([[0, 0.1], [1 / 3, 1], [-2, 0.25], [7, 3]]),
+        "faces": [[0, 1, 2], [2, 1, 3]],
+    }
+
+
+@pytest.mark.parametrize("left_out", [[], ["uvs"], ["normals"], ["uvs", "normals"]])
+@pytest.mark.parametrize("ending", ["ply", "OBJ", "glb"])
+def test_written_meshes_come_back(ending: str, left_out: list[str], tmp_path: Path) -> None:
+    mesh = {name: array for name, array in tent().items() if name not in left_out}
+    file = tmp_path / f"tent.{ending}"
+    cw.save_mesh(file, mesh)
+    again = cw.load_mesh(file)
+    assert again.pop("face_normals", False) == (ending == "glb" and "normals" in left_out)
+    assert again.keys() == mesh.keys()
+    if "normals" not in left_out:
+        normals = again.pop("normals")
+        unit = mesh["normals"] / np.linalg.norm(mesh["normals"], axis=1, keepdims=True)
+        assert np.abs(normals - unit).max() < (1e-7 if ending == "glb" else 1e-15)
+    assert all(np.array_equal(array, mesh[name]) for name, array in again.items())
+    assert [path.name for path in tmp_path.iterdir()] == [file.name]
+
+
+@pytest.mark.parametrize(
+    ("left_out", "corner"),
+    [([], "4/4/4"), (["uvs"], "4//4"), (["normals"], "4/4"), (["uvs", "normals"], "4")],
+)
+def test_corners_of_obj_files(left_out: list[str], corner: str, tmp_path: Path) -> None:
+    mesh = {name: array for name, array in tent().items() if name not in left_out}
+    cw.save_mesh(tmp_path / "tent.obj", mesh)
+    assert (tmp_path / "tent.obj").read_text().split()[-1] == corner
+
+
+def test_obj_files_have_all_digits(tmp_path: Path) -> None:
+    positions = np.random.default_rng(1).normal(size=(3, 3)) * [1e-30, 1, 1e20]
+    cw.save_mesh(tmp_path / "mesh.obj", {"positions": positions, "faces": [[0, 1, 2]]})
+    assert np.array_equal(cw.load_mesh(tmp_path / "mesh.obj")["positions"], positions)
+
+
+def test_vertices_of_obj_files_are_numbered_anew(tmp_path: Path) -> None:
+    """In the order in which faces use them; the corners of faces stay what they were."""
+    given = tent() | {"faces": [[3, 1, 0]]}
+    files = tmp_path / "first.obj", tmp_path / "second.obj"
+    cw.save_mesh(files[0], given)
+    mesh = cw.load_mesh(files[0])
+    assert np.array_equal(mesh["faces"], [[0, 1, 2]])
+    for name in ("positions", "uvs"):
+        assert np.array_equal(mesh[name], given[name][[3, 1, 0]])
+    cw.save_mesh(files[1], mesh)
+    again = cw.load_mesh(files[1])
+    assert all(np.array_equal(again[name], array) for name, array in mesh.items())
+
+
+def test_glb_files_are_as_gltf_asks(tmp_path: Path) -> None:
+    file = tmp_path / "mesh.glb"
+    colours = single([[1, 0, 0], [0, 1, 0], [0, 0, 1], [0.5, 0.25, 0]])
+    flat = {"face_normals": True, "vertex_color": colours}
+    mesh = {name: array for name, array in tent().items() if name != "normals"} | flat
+    cw.save_mesh(file, mesh)
+    again = cw.load_mesh(file)
+    assert again["face_normals"] is True and np.array_equal(again["vertex_color"], colours)
+    data = file.read_bytes()
+    assert struct.unpack_from("<4sII", data) == (b"glTF", 2, len(data))
+    length, kind = struct.unpack_from("<I4s", data, 12)
+    assert length % 4 == 0 and kind == b"JSON"
+    gltf = json.loads(data[20 : 20 + length])
+    size, kind = struct.unpack_from("<I4s", data, 20 + length)
+    assert kind == b"BIN\0" and size == len(data) - 28 - length == gltf["buffers"][0]["byteLength"]
+    [primitive] = gltf["meshes"][0]["primitives"]
+    corners = gltf["accessors"][primitive["attributes"]["POSITION"]]
+    assert corners["min"] == mesh["positions"].min(0).tolist()
+    assert corners["max"] == mesh["positions"].max(0).tolist()
+    assert all(view["byteOffset"] % 4 == 0 for view in gltf["bufferViews"])
+
+
+def test_trimesh_reads_what_is_written(tmp_path: Path) -> None:
+    """Except normals, which it computes itself whatever the format."""
+    trimesh: Any = pytest.importorskip("trimesh")
+    mesh = tent()
+    for ending in ("ply", "obj", "glb"):
+        cw.save_mesh(tmp_path / f"tent.{ending}", mesh)
+        read = trimesh.load_mesh(tmp_path / f"tent.{ending}", process=False)
+        assert np.array_equal(np.float32(read.vertices), mesh["positions"])
+        assert np.array_equal(read.faces, mesh["faces"])
+        if ending != "ply":
+            # There v points up.
+            u, v = read.visual.uv.T
+            assert np.abs(np.column_stack([u, 1 - v]) - mesh["uvs"]).max() < 1e-6
+
+
+def test_files_are_written_whole_or_not_at_all(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    for ending in ("obj", "glb"):
+        file = tmp_path / f"mesh.{ending}"
+        file.write_bytes(b"before")
+        with monkeypatch.context() as patched:
+            patched.setattr(Path, "replace", full)
+            with pytest.raises(cw.MeshError, match=f"cannot write .*mesh.{ending}: No space"):
+                cw.save_mesh(file, tent())
+        assert file.read_bytes() == b"before"
+        with pytest.raises(OSError, match=f"cannot write .*missing.mesh.{ending}: "):
+            cw.save_mesh(tmp_path / f"missing/mesh.{ending}", tent())
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["mesh.glb", "mesh.obj"]
+
+
+@pytest.mark.parametrize(
+    ("ending", "more", "error"),
+    [
+        ("obj", {"vertex_color": np.ones((4, 3))}, 'an .obj file has no place for "vertex_color"'),
+        ("obj", {"face_normals": True}, 'place for "face_normals"; leave them out of the mesh$'),
+        ("glb", {"vertex_color": np.ones((4, 1))}, '"vertex_color"; .*, or write a .ply file$'),
+        ("glb", {"face_heat": np.ones((2, 1))}, 'a .glb file has no place for "face_heat"'),
+        ("glb", {"face_normals": True}, 'place for "face_normals"'),
+        ("glb", {"uvs": np.full((4, 2), 1e300)}, r'mesh\["uvs"\] has numbers beyond single'),
+    ],
+)
+def test_what_a_format_has_no_place_for_is_not_written(
+    ending: str, more: dict[str, Any], error: str, tmp_path: Path
+) -> None:
+    with pytest.raises(cw.ArgumentError, match=error):
+        cw.save_mesh(tmp_path / f"mesh.{ending}", tent() | more)
+    assert not any(tmp_path.iterdir())
+
+
 def test_one_mesh_of_several_is_chosen() -> None:
     path = ROOT / "parity/cup.serialized"
     cup, saucer = (cw.load_mesh(path, shape_index=i)["positions"] for i in (0, 1))
@@ -147,8 +285,9 @@ def test_what_is_no_mesh_is_not_written(mesh: dict[str, Any], error: str, tmp_pa
 
 def test_files_that_are_no_meshes(tmp_path: Path) -> None:
     triangle = {"positions": np.eye(3), "faces": [[0, 1, 2]]}
-    with pytest.raises(cw.MeshError, match=r"mesh.obj does not tell .* known endings: \.ply$"):
-        cw.save_mesh(tmp_path / "mesh.obj", triangle)
+    wrong = r"mesh.stl does not tell .* expected the ending \.ply, \.obj or \.glb: choose one"
+    with pytest.raises(cw.MeshError, match=wrong):
+        cw.save_mesh(tmp_path / "mesh.stl", triangle)
     with pytest.raises(OSError, match="cannot write .*mesh.ply: "):
         cw.save_mesh(tmp_path / "missing/mesh.ply", triangle)
     with pytest.raises(cw.MeshError, match=r"known endings: \.ply, \.obj, \.gltf"):
