@@ -19,23 +19,30 @@ and ``_y``, ``to_world``, (4, 4), and a ``film`` of the photograph's size, to wh
 a sensor may have can be added: ``camera["film"]["rfilter"] = {"type": "box"}``. For further photographs
 of a scene with the same intrinsics, set the sensor's ``to_world`` to ``camera["to_world"]``.
 
+The cameras of a whole capture are read from the files of COLMAP by :func:`load_colmap`, and of
+nerfstudio, instant-ngp and NeRF by :func:`load_transforms`.
+
 What the sensor cannot express is refused: lenses that distort, pixels that are not square, and skew.
 """
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._colmap import parameter_names, read_photographs
+from ._frames import read_frames
 from ._numbers import Array, numbers
 from ._options import integer, real
 from ._transform import ROUNDED_AXIS
 from .errors import ArgumentError
 
-__all__ = ["from_colmap", "from_opencv", "from_opengl"]
+__all__ = ["from_colmap", "from_opencv", "from_opengl", "load_colmap", "load_transforms"]
 
 _FOCAL_BLUR = 0.01
 """Pixels by which the two focal lengths may displace the image of a point: less than calibrations
@@ -43,9 +50,6 @@ know."""
 
 _RIGID = 1e-3
 """How far a rotation R may be from one, in the entries of R Rᵀ. As in scene files."""
-
-_COLMAP = {"SIMPLE_PINHOLE": "f, cx, cy", "PINHOLE": "fx, fy, cx, cy"}
-"""COLMAP's models without distortion, and their parameters."""
 
 _MOST_PIXELS = 2**26
 """Of a film, as in scene files."""
@@ -127,15 +131,11 @@ def from_colmap(
     :raises ArgumentError: the sensor cannot express the camera, with what to do instead; or any
         wrong argument.
     """
-    if model not in _COLMAP:
-        raise ArgumentError(
-            f"the camera model is {model!r}; sensors are pinhole cameras without distortion: expected "
-            f'{" or ".join(map(repr, _COLMAP))}, which "colmap image_undistorter" makes of all others'
-        )
+    names = parameter_names(model)
     given = numbers("params", params)
-    names = _COLMAP[model]
-    if given.shape != (names.count(",") + 1,):
-        raise ArgumentError(f"params has the shape {given.shape}; expected {names} of a {model}")
+    if given.shape != (len(names),):
+        expected = ", ".join(names)
+        raise ArgumentError(f"params has the shape {given.shape}; expected {expected} of a {model}")
     fx, fy, cx, cy = given[[0, 0, 1, 2]] if model == "SIMPLE_PINHOLE" else given
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = _rotation(qvec), _numbers("tvec", tvec, (3,))
@@ -143,14 +143,76 @@ def from_colmap(
     return _sensor(K, np.linalg.inv(pose), size, 0.5)
 
 
+def load_colmap(folder: str | os.PathLike[str]) -> dict[str, dict[str, Any]]:
+    """The sensors of the images of a COLMAP reconstruction, by the images' names, in the order of
+    these::
+
+        sensors = cw.cameras.load_colmap("dense/sparse")
+        photographs = {name: cw.load_image(f"dense/images/{name}") for name in sensors}
+
+    The world is the reconstruction's, in its units.
+
+    :param folder: a model: ``cameras.bin`` and ``images.bin``, or if these are not there
+        ``cameras.txt`` and ``images.txt``. All cameras must be of the model ``SIMPLE_PINHOLE`` or
+        ``PINHOLE``, with square pixels. ``colmap image_undistorter`` makes such a model in
+        ``sparse``, and images in ``images``; pixels are square if the photographs were calibrated
+        with one focal length, as by ``SIMPLE_RADIAL``.
+    :return: for each image a dictionary as of :func:`from_colmap`. Names are relative to the folder
+        of images; those with a dot cannot be keys of a scene's dictionary.
+    :raises LoadError: there is no model, a file is damaged, or a sensor cannot express a camera; with
+        ``file``, of a text its ``line``, and what to do.
+    """
+    sensors = {}
+    for photograph in sorted(read_photographs(Path(folder)), key=lambda found: found.name):
+        camera, pose = photograph.camera, {"qvec": photograph.qvec, "tvec": photograph.tvec}
+        if photograph.name in sensors:
+            raise photograph.place.error(f'there are two images "{photograph.name}"; remove one')
+        with camera.place.of_arguments():
+            from_colmap(camera.model, camera.params, camera.size, qvec=[1, 0, 0, 0], tvec=[0, 0, 0])
+        with photograph.place.of_arguments():
+            sensor = from_colmap(camera.model, camera.params, camera.size, **pose)
+        sensors[photograph.name] = sensor
+    return sensors
+
+
+def load_transforms(
+    path: str | os.PathLike[str], *, size: tuple[int, int] | None = None
+) -> dict[str, dict[str, Any]]:
+    """The sensors of the frames in a ``transforms.json`` of nerfstudio, instant-ngp or NeRF, by their
+    ``file_path``, in the order of the file::
+
+        sensors = cw.cameras.load_transforms("capture")
+        photographs = {name: cw.load_image(f"capture/{name}") for name in sensors}
+
+    Intrinsics, in pixels, are those of a frame, or else of the file: the focal lengths ``fl_x`` and
+    ``fl_y``, or the fields of view ``camera_angle_x`` and ``camera_angle_y``, in radians, where x alone
+    stands for both; the principal point ``cx`` and ``cy``, from the corner of the image, by default
+    its middle. ``transform_matrix`` is from camera to world, with OpenGL's axes, see
+    :func:`from_opengl`. The world is the file's, in its units: neither an ``applied_transform`` is
+    undone, nor are the poses scaled to fit a box.
+
+    :param path: the file, or the folder that has a ``transforms.json``.
+    :param size: width and height of the images, pixels, where the file has no ``w`` and ``h``.
+    :return: for each frame a dictionary as of :func:`from_opengl`. Paths are relative to the folder
+        of the file, and in NeRF's own files have no ending; those with a dot cannot be keys of a
+        scene's dictionary.
+    :raises LoadError: there is no such file, it is damaged, or a sensor cannot express a camera, such
+        as one whose ``k1`` is not 0; with ``file``, the frame, and what to do.
+    """
+    sensors = {}
+    for frame in read_frames(Path(path), None if size is None else _size(size)):
+        if frame.name in sensors:
+            raise frame.place.error(f'a frame before it has the same file_path "{frame.name}"')
+        with frame.place.of_arguments():
+            sensors[frame.name] = from_opengl(frame.K, frame.camera_to_world, frame.size)
+    return sensors
+
+
 def _sensor(
     K: Array, camera_to_world: NDArray[Any], size: tuple[int, int], first_pixel: float
 ) -> dict[str, Any]:
     """The sensor with these intrinsics at this pose, with OpenCV's axes."""
-    if np.shape(size) != (2,):
-        raise ArgumentError(f"size is {size!r}; expected width and height in pixels")
-    width = integer("the width", size[0], 1, _MOST_PIXELS)
-    height = integer("the height", size[1], 1, _MOST_PIXELS)
+    width, height = _size(size)
     # Measured from the corner of the image.
     corner = 0.5 - real("first_pixel", first_pixel)
     (fx, fy), (cx, cy) = K[[0, 1], [0, 1]], K[:2, 2] + corner
@@ -174,6 +236,14 @@ def _sensor(
         "to_world": camera_to_world @ np.diag([-1.0, -1.0, 1.0, 1.0]),
         "film": {"type": "hdrfilm", "width": width, "height": height},
     }
+
+
+def _size(size: tuple[int, int]) -> tuple[int, int]:
+    """Width and height of a film."""
+    if np.shape(size) != (2,):
+        raise ArgumentError(f"size is {size!r}; expected width and height in pixels")
+    width, height = size
+    return integer("the width", width, 1, _MOST_PIXELS), integer("the height", height, 1, _MOST_PIXELS)
 
 
 def _intrinsics(K: ArrayLike) -> Array:

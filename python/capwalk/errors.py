@@ -8,10 +8,11 @@ class Error(Exception):
 
 
 class LoadError(Error):
-    """A scene that cannot be loaded. The message says where, what was expected and what to do."""
+    """A scene that cannot be loaded, or cameras. The message says where, what was expected and what to
+    do."""
 
     file: str | None
-    """The scene file, or the file that it refers to; ``None`` for a text."""
+    """The file itself, or the file that it refers to; ``None`` for a text."""
     line: int | None
     """Line in the file, from 1; ``None`` for the file as a whole."""
     column: int | None
