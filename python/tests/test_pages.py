@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ NEEDS = {
     "docs/how-to/coming-from-redner.md": ["torch"],
     "docs/how-to/custom-loss.md": ["torch"],
     "docs/how-to/many-views.md": ["torch"],
+    "docs/how-to/meshes-and-cameras.md": ["trimesh"],
     "docs/scene-files.md": ["drjit", "mitsuba"],
 }
 """The packages that the code of a page imports besides NumPy."""
@@ -71,6 +73,13 @@ def given(page: str, number: int) -> dict[str, Any]:
         case "docs/how-to/many-views.md":
             names["room"] = room | {"ball": {"type": "sphere"}}
             names |= {"name": "ball.positions", "targets": [image, image]}
+        case "docs/how-to/meshes-and-cameras.md":
+            view = cw.Transform().look_at(origin=[0, 0, 5], target=[0, 0, 0], up=[0, 1, 0])
+            names["room"] = room | {"view": {"type": "perspective", "to_world": view}}
+            write_capture(Path("capture"), image)
+            ball = cw.load_dict(names["room"] | {"ball": {"type": "sphere"}})
+            positions = cw.traverse(ball)["ball.positions"]
+            cw.save_mesh("start.ply", {"positions": positions, "faces": ball.faces("ball")})
         case "docs/how-to/custom-loss.md":
             scene = cw.load_file("ball")
             names |= {"scene": scene, "mask": image[..., :1], "target_mask": image}
@@ -80,6 +89,22 @@ def given(page: str, number: int) -> dict[str, Any]:
                 names |= {"start": start, "positions": start.clone().requires_grad_()}
                 names |= {"mask": torch.ones(HEIGHT, WIDTH, 1), "target": torch.from_numpy(image)}
     return names
+
+
+def write_capture(folder: Path, image: Any) -> None:
+    """Two equal photographs from five units away, and their cameras as COLMAP and nerfstudio write them."""
+    for name in ("images", "sparse"):
+        (folder / name).mkdir(parents=True, exist_ok=True)
+    files = ["a.png", "b.png"]
+    poses = [f"{number} 1 0 0 0 0 0 5 1 {name}\n\n" for number, name in enumerate(files, 1)]
+    (folder / "sparse/cameras.txt").write_text(f"1 SIMPLE_PINHOLE {WIDTH} {HEIGHT} 10 4 3\n")
+    (folder / "sparse/images.txt").write_text("".join(poses))
+    to_world = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 5], [0, 0, 0, 1]]
+    frames = [{"file_path": f"images/{name}", "transform_matrix": to_world} for name in files]
+    whole = {"fl_x": 10, "w": WIDTH, "h": HEIGHT, "frames": frames}
+    (folder / "transforms.json").write_text(json.dumps(whole))
+    for name in files:
+        cw.save_image(folder / "images" / name, image)
 
 
 @pytest.mark.parametrize("page", PAGES)

@@ -27,6 +27,7 @@ const FRAMEWORKS: &[&str] = &[
     "jax[cpu]",
     "mitsuba==3.9.1",
     "ray>=2.40",
+    "trimesh>=4",
     "nbclient>=0.10",
     "ipykernel>=6",
     "matplotlib>=3.8",
@@ -35,8 +36,8 @@ const FRAMEWORKS: &[&str] = &[
     "myst-nb>=1.4",
     "furo>=2025",
 ];
-const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, nbclient, ipykernel, matplotlib, \
-                                     sphinx, sphinx_copybutton, myst_nb, furo";
+const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, trimesh, nbclient, ipykernel, \
+                                     matplotlib, sphinx, sphinx_copybutton, myst_nb, furo";
 
 /// The Python of an environment with all that the tests need, or why there is none. Whoever
 /// asks for it first makes it; the others wait.
