@@ -156,7 +156,7 @@ def load_colmap(folder: str | os.PathLike[str]) -> dict[str, dict[str, Any]]:
         ``cameras.txt`` and ``images.txt``. All cameras must be of the model ``SIMPLE_PINHOLE`` or
         ``PINHOLE``, with square pixels. ``colmap image_undistorter`` makes such a model in
         ``sparse``, and images in ``images``; pixels are square if the photographs were calibrated
-        with one focal length, as by ``SIMPLE_RADIAL``.
+        with one focal length, as by ``SIMPLE_RADIAL``, and ``--max_image_size`` is not given.
     :return: for each image a dictionary as of :func:`from_colmap`. Names are relative to the folder
         of images; those with a dot cannot be keys of a scene's dictionary.
     :raises LoadError: there is no model, a file is damaged, or a sensor cannot express a camera; with
