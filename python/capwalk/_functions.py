@@ -107,8 +107,8 @@ def backward(
     :param names: of the arrays; by default all that can be differentiated with respect to, with
         a warning if some cannot. Numbers such as ``"ball.translate.x"`` and sums of them are
         allowed.
-    :param options: how, those of :func:`gradient`. By default ``seed`` differs from that of any
-        image rendered with the scene's seed.
+    :param options: those of :func:`gradient`. The default ``seed`` differs from the scene's, so
+        the noise is independent of an image that :func:`render` made with its default seed.
     :return: the gradients by name, each in the shape of its array, and their ``stderr``.
 
     Raises the same exceptions as :func:`gradient`.

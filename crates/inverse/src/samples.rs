@@ -1,4 +1,5 @@
-//! How many samples a step takes: always the same number, or as many as its noise asks for (METHOD 16).
+//! How many samples a step takes: always the same number, or as many as its noise requires
+//! (docs/optimize.md, "Samples that follow the noise").
 //!
 //! With `d` the last step as it would be at the full learning rate, the descent `a = -g·d` is by how much the loss falls
 //! per step if steps go on as they do. The gradient is new and `d` is not, so their noise is independent, and noise does

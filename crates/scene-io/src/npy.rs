@@ -135,7 +135,7 @@ impl<'a> Parser<'a> {
                         self.expect("False")?;
                     }
                 }
-                _ => return Err(format!("has '{key}' in its header in vain or twice")),
+                _ => return Err(format!("has an unknown or repeated '{key}' in its header")),
             }
             if !self.next_is(",") {
                 self.expect("}")?;

@@ -344,7 +344,7 @@ fn bad_jobs_name_the_place() {
     );
 }
 
-/// What a scene file says in vain is said once, by `render` and by `optimize`.
+/// `render` and `optimize` warn once about text in a scene file that has no effect.
 #[test]
 fn scenes_that_warn_do_so_here_too() {
     let capwalk = Capwalk::new("optimize_warns");
