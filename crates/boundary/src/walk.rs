@@ -11,6 +11,7 @@ use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value
 use crate::boundary_sample::BoundarySample;
 use crate::draw::Numbers;
 use crate::field::Field;
+use crate::passing::Leaving;
 use crate::reflected::ReflectedSphere;
 use crate::viewpoint::{CREASED, ROUND, SMOOTH, Viewpoint, Visibility};
 
@@ -109,20 +110,20 @@ pub const fn seen_by_chains(last: bool) -> [(u8, EdgeSelection); 2] {
 
 impl Field<'_> {
     /// The boundary point closest to a direction, nearer than `limit` radians, that is seen from a point of a
-    /// specular surface with this face normal, the `last` of its chain or not. The face's own edges do not count: they
+    /// specular face after an event, the `last` of its chain or not. The face's own edges do not count: they
     /// are seen only where the direction is in the plane of the face.
     pub fn closest_behind(
         &self,
         position: Vec3,
-        face_normal: Vec3,
+        leaving: &Leaving,
         direction: Vec3,
         last: bool,
         mut limit: f64,
     ) -> Option<SilhouettePoint> {
-        let viewpoint = Viewpoint::towards_surfaces(position, face_normal, 0);
+        let viewpoint = Viewpoint::towards_surfaces(position, leaving.normal(), 0);
         let counts = |point: &SilhouettePoint| {
             self.horizon(&viewpoint, point).is_none()
-                && (self.accel).surface_sees(position, point.direction, point.distance)
+                && (self.accel).sees_leaving(leaving, position, point.direction, point.distance)
         };
         let mut found = None;
         for (groups, edges) in seen_by_chains(last) {

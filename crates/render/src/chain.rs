@@ -1,7 +1,7 @@
 //! Chains of perfectly specular events that a ray takes part in (METHOD 6): mirrors, glass and panes, flat or
 //! curved.
 
-use capwalk_boundary::{Accel, Stream, bounded_ray};
+use capwalk_boundary::{Accel, Leaving, Stream, bounded_ray};
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::{Real, Vec3};
 use capwalk_scene::lobe::{Event, Specular};
@@ -84,8 +84,8 @@ pub struct AfterLink {
     pub link: Link,
     /// Where that was, and the unit direction in which the ray goes on.
     pub ray: [Vec3; 2],
-    /// Unit normal of the face there.
-    pub face_normal: Vec3,
+    /// How it leaves the face there.
+    pub leaving: Leaving,
     /// [`Bent::cosine`] of this event.
     pub cosine: f64,
 }
@@ -118,7 +118,7 @@ pub fn next_link(accel: &Accel, ray: &Ray, event: Event) -> Option<AfterLink> {
     direction.is_finite().then_some(AfterLink {
         link: Link { hit, event },
         ray: [surface.position, direction],
-        face_normal: surface.face_normal,
+        leaving: vertex.leaving(event),
         cosine,
     })
 }
@@ -207,14 +207,13 @@ pub fn drawn_chain(
         match drawn.map(|drawn| (drawn.specular, drawn.wo)) {
             Some((Some(event), _)) if links.len() < MOST_DRAWN => {
                 let ([_, direction], _) = vertex.specular(event, incoming);
-                ray = accel.surface_ray(vertex.position, direction);
-                let height = direction.dot(vertex.face_normal);
-                if dips.dip == 0 {
-                    match event.event {
-                        Event::Reflect => dips.count(height <= 0.0),
-                        Event::Transmit => dips.count(height >= 0.0),
-                        Event::Pass => {}
-                    }
+                let leaving = vertex.leaving(event.event);
+                ray = accel.ray_leaving(&leaving, vertex.position, direction);
+                if dips.dip == 0 && event.event != Event::Pass {
+                    let position = vertex.position;
+                    let dips_there = leaving.dips(direction)
+                        && !accel.dips_continuously(&leaving, position, direction);
+                    dips.count(dips_there);
                 }
                 links.push(Link {
                     hit,

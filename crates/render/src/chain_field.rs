@@ -166,7 +166,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ChainSphere<'_, R, F> {
         let mut ray: Ray = self.start.bounded_ray(accel, q);
         self.chain.events.iter().map_while(move |&event| {
             let after = next_link(accel, &ray, event)?;
-            ray = accel.surface_ray(after.ray[0], after.ray[1]);
+            ray = accel.ray_leaving(&after.leaving, after.ray[0], after.ray[1]);
             Some(after)
         })
     }
@@ -263,7 +263,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ChainSphere<'_, R, F> 
             let [x, r] = after.ray;
             queries += 1;
             let last = i + 1 == self.chain.events.len();
-            let found = (self.chain.field).closest_behind(x, after.face_normal, r, last, bound);
+            let found = (self.chain.field).closest_behind(x, &after.leaving, r, last, bound);
             if let Some(point) = found {
                 best = Some(Nearest {
                     site: Site::Behind {
@@ -421,8 +421,9 @@ mod tests {
                 let [a, b] = ends.map(|p| p - x);
                 let closest = closest_direction(a, b, r)?;
                 let counts = all || silhouettes && edge.is_silhouette(&accel.mesh, x);
-                let is_own = field.in_horizon(x, edge.vertices, after.face_normal);
-                let seen = accel.first_hit(x, closest.direction);
+                let is_own = field.in_horizon(x, edge.vertices, after.leaving.normal());
+                let ray = accel.ray_leaving(&after.leaving, x, closest.direction);
+                let seen = accel.first_hit_within(&ray);
                 let is_seen = seen.is_none_or(|hit| hit.t > closest.distance - 1e-7);
                 (counts && !is_own && is_seen).then_some((closest.angle, silhouettes))
             };
@@ -430,7 +431,7 @@ mod tests {
             let expected = edges
                 .filter_map(angle)
                 .min_by(|(a, _), (b, _)| a.total_cmp(b));
-            let point = field.closest_behind(x, after.face_normal, r, last, PI);
+            let point = field.closest_behind(x, &after.leaving, r, last, PI);
             let (point, (angle, is_silhouette)) = point.zip(expected).expect("a room has edges");
             assert!(
                 (point.angle - angle).abs() < 1e-12,

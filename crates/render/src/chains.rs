@@ -80,7 +80,8 @@ impl Tracer<'_> {
             (ray, fraction) = vertex.specular(event, ray);
             // What passes keeps its origin, before the surface.
             let direction = ray[1].value();
-            hit = accel.first_hit(primal.position, direction);
+            let leaving = primal.leaving(event.event);
+            hit = accel.first_hit_within(&accel.ray_leaving(&leaving, primal.position, direction));
             if is_missed && emitter_towards(accel, hit.as_ref(), direction).is_some() {
                 ahead.note();
             }

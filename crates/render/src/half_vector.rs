@@ -260,6 +260,7 @@ mod tests {
         let moves = Vec3::new(-0.3, 0.5, 0.2).reject_from(viewer);
         Vertex::new(
             Vec3::zero(),
+            0,
             normal,
             Frame::from_normal(normal.with_tangent(turns)),
             viewer.with_tangent(moves),

@@ -80,7 +80,7 @@ mod tests {
         let normal = Vec3::new(0.2, -0.3, 0.9).normalized();
         let frame = Frame::from_normal(normal);
         let wi = frame.to_world(Vec3::new(0.6, 0.1, 0.5).normalized());
-        Vertex::new(Vec3::new(1.0, 2.0, 3.0), normal, frame, wi, bsdf)
+        Vertex::new(Vec3::new(1.0, 2.0, 3.0), 0, normal, frame, wi, bsdf)
     }
 
     fn metal(alpha: f64) -> LocalBsdf {

@@ -31,9 +31,10 @@ mod step;
 mod tests;
 mod vectors;
 
-use capwalk_boundary::{Accel, Stream, Streams};
+use capwalk_boundary::{Accel, Leaving, Stream, Streams};
 use capwalk_geometry::simd::Instructions;
 use capwalk_math::Rgb;
+use capwalk_scene::lobe::Specular;
 use capwalk_scene::sensor::view::View;
 use capwalk_scene::{EmitterId, Shape, TextureId};
 
@@ -368,9 +369,9 @@ impl<'a> LaneTracer<'a> {
             }
             // The first one last: along it the path goes on.
             let first = first + sampling.emitter_samples * EMITTER_NUMBERS;
-            let mut drawn = 0;
+            let (mut drawn, faces) = (0, paths.faces);
             for i in (0..sampling.bsdf_samples).rev() {
-                drawn = self.draw_brdf(paths, of_brdf, first + i * BSDF_NUMBERS);
+                drawn = self.draw_brdf(paths, &faces, of_brdf, first + i * BSDF_NUMBERS);
             }
             paths.keep_drawn(drawn);
             if !goes_on {
@@ -481,7 +482,15 @@ impl<'a> LaneTracer<'a> {
 
     /// Draws directions from the surfaces, finds what is there, and adds what emitters send from
     /// there; one bit for each that leads on.
-    fn draw_brdf(&self, paths: &mut Paths<'_>, active: u32, first: u32) -> u32 {
+    /// Draws directions from the materials of these faces and finds what they meet; one bit for each of some lanes that
+    /// has one.
+    fn draw_brdf(
+        &self,
+        paths: &mut Paths<'_>,
+        faces: &[u32; LANES],
+        active: u32,
+        first: u32,
+    ) -> u32 {
         let instructions = self.instructions;
         // The first one chooses among lobes.
         let with_lobes = active & paths.lobes.with_lobes;
@@ -521,6 +530,7 @@ impl<'a> LaneTracer<'a> {
             mask: active,
         };
         paths.faces = self.meets.first_hits(&rays);
+        self.pass(paths, faces, active);
         paths.alike = self.alike(&paths.faces, active);
         self.count_rays(paths, active);
         let missed = mask_of(active, |lane| paths.faces[lane] == NOTHING);
@@ -533,6 +543,31 @@ impl<'a> LaneTracer<'a> {
             }
         }
         active
+    }
+
+    /// Lets rays pass that dip below the faces that they leave by specular events.
+    fn pass(&self, paths: &mut Paths<'_>, left: &[u32; LANES], active: u32) {
+        let Paths {
+            vertices,
+            lobes,
+            drawn,
+            faces,
+            ..
+        } = &mut *paths;
+        for lane in lanes_of(active & drawn.specular) {
+            let Some((Specular { event, .. }, _)) = lobes.event(lane) else {
+                continue;
+            };
+            let normal = vertices.face_normal.get(lane) * vertices.seen[lane];
+            let leaving = Leaving::after(event, left[lane], normal);
+            let direction = drawn.direction.get(lane);
+            if leaving.dips(direction) {
+                let position = vertices.position.get(lane);
+                let ray = self.accel.ray_leaving(&leaving, position, direction);
+                let hit = self.accel.first_hit_within(&ray);
+                faces[lane] = hit.map_or(NOTHING, |hit| hit.face);
+            }
+        }
     }
 
     /// Adds what an emitter sends from where a direction drawn from a surface leads.

@@ -126,7 +126,13 @@ pub fn sample_lights(
             continue;
         };
         let direction = vertex.frame.to_world(drawn.wo).normalized();
-        let hit = accel.first_hit(vertex.position, direction);
+        let ray = match drawn.specular {
+            Some(Specular { event, .. }) => {
+                accel.ray_leaving(&vertex.leaving(event), vertex.position, direction)
+            }
+            None => accel.surface_ray(vertex.position, direction),
+        };
+        let hit = accel.first_hit_within(&ray);
         if i == 0 {
             next = Some(Continuation {
                 direction,

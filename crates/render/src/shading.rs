@@ -29,7 +29,13 @@ pub fn black_vertex_at<R: Real>(surface: &Surface<R>, direction: Vec3<R>) -> Ver
         Some([along_u, _]) => Frame::from_normal_and_tangent(surface.outward, along_u),
         None => Frame::from_normal(surface.outward),
     };
-    Vertex::black(surface.position, surface.face_normal, frame, -direction)
+    Vertex::black(
+        surface.position,
+        surface.face,
+        surface.face_normal,
+        frame,
+        -direction,
+    )
 }
 
 /// Adds them, in its place: they are large, and copying them takes as long as finding them.

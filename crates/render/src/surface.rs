@@ -30,6 +30,8 @@ pub struct Surface<R> {
     pub face_normal: Vec3,
     /// Which side is seen.
     pub side: Side,
+    /// The face, of all in the scene.
+    pub face: u32,
     /// The shape's material.
     pub material: BsdfId,
 }
@@ -121,6 +123,7 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
         } else {
             Side::Back
         },
+        face: hit.face,
         material: shape.bsdf,
     }
 }

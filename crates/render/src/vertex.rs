@@ -1,5 +1,6 @@
 //! A vertex of a path.
 
+use capwalk_boundary::Leaving;
 use capwalk_math::{Frame, Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Event, LocalBsdf, Specular};
 
@@ -10,6 +11,8 @@ use crate::receiver::Receiver;
 pub struct Vertex<R: Real> {
     /// World-space position.
     pub position: Vec3<R>,
+    /// The face that it is on, of all in the scene.
+    pub face: u32,
     /// Unit normal of the face on the viewer's side.
     pub face_normal: Vec3,
     /// The shading frame.
@@ -26,6 +29,7 @@ impl<R: Real> Vertex<R> {
     /// A vertex with the given shading frame, seen from the unit direction `wi`.
     pub fn new(
         position: Vec3<R>,
+        face: u32,
         face_normal: Vec3,
         frame: Frame<R>,
         wi: Vec3<R>,
@@ -34,15 +38,22 @@ impl<R: Real> Vertex<R> {
         Self {
             transmits: bsdf.transmits(),
             bsdf,
-            ..Self::black(position, face_normal, frame, wi)
+            ..Self::black(position, face, face_normal, frame, wi)
         }
     }
 
     /// A vertex without lobes, seen from the unit direction `wi`.
     #[inline]
-    pub fn black(position: Vec3<R>, face_normal: Vec3, frame: Frame<R>, wi: Vec3<R>) -> Self {
+    pub fn black(
+        position: Vec3<R>,
+        face: u32,
+        face_normal: Vec3,
+        frame: Frame<R>,
+        wi: Vec3<R>,
+    ) -> Self {
         Self {
             position,
+            face,
             face_normal,
             wi: frame.to_local(wi),
             frame,
@@ -76,10 +87,16 @@ impl<R: Real> Vertex<R> {
         (ray, throughput)
     }
 
+    /// How a ray leaves it after an event.
+    pub fn leaving(&self, event: Event) -> Leaving {
+        Leaving::after(event, self.face, self.face_normal)
+    }
+
     /// The vertex without its derivative.
     pub fn value(&self) -> Vertex<f64> {
         Vertex {
             position: self.position.value(),
+            face: self.face,
             face_normal: self.face_normal,
             frame: self.frame.value(),
             wi: self.wi.value(),

@@ -161,12 +161,15 @@ impl<'a> LaneLobes<'a> {
 
     /// Specular events that were drawn, and their probabilities.
     pub fn events(&self) -> [Option<(Specular, f64)>; LANES] {
-        std::array::from_fn(
-            |lane| match self.with_lobes >> lane & !self.rough_lanes >> lane & 1 {
-                1 => self.specular[lane],
-                _ => None,
-            },
-        )
+        std::array::from_fn(|lane| self.event(lane))
+    }
+
+    /// That of a lane.
+    pub fn event(&self, lane: usize) -> Option<(Specular, f64)> {
+        match self.with_lobes >> lane & !self.rough_lanes >> lane & 1 {
+            1 => self.specular[lane],
+            _ => None,
+        }
     }
 
     /// What of a surface, whose frame is known, matters to directions towards emitters.

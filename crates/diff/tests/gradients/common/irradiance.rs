@@ -24,6 +24,7 @@ fn diffuse_vertex<R: Real>(position: Vec3, normal: Vec3) -> Vertex<R> {
     let lobe = Lobe::Diffuse(Diffuse { reflectance });
     Vertex::new(
         position,
+        0,
         normal,
         Frame::from_normal(unit),
         unit,
