@@ -28,6 +28,7 @@ const FRAMEWORKS: &[&str] = &[
     "mitsuba==3.9.1",
     "ray>=2.40",
     "trimesh>=4",
+    "rerun-sdk>=0.41",
     "nbclient>=0.10",
     "ipykernel>=6",
     "matplotlib>=3.8",
@@ -36,7 +37,7 @@ const FRAMEWORKS: &[&str] = &[
     "myst-nb>=1.4",
     "furo>=2025",
 ];
-const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, trimesh, nbclient, ipykernel, \
+const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, trimesh, rerun, nbclient, ipykernel, \
                                      matplotlib, sphinx, sphinx_copybutton, myst_nb, furo";
 
 /// The Python of an environment with all that the tests need, or why there is none. Whoever
