@@ -24,7 +24,7 @@ myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 3
 nb_execution_mode = "off"
 
-autodoc_mock_imports = ["drjit", "mitsuba", "ray", "torch"]
+autodoc_mock_imports = ["drjit", "mitsuba", "ray", "rerun", "torch"]
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
 autodoc_preserve_defaults = True

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from llvm import has_llvm
+from test_jobs import JOB
 
 import capwalk as cw
 
@@ -27,6 +28,7 @@ NEEDS = {
     "docs/how-to/custom-loss.md": ["torch"],
     "docs/how-to/many-views.md": ["torch"],
     "docs/how-to/meshes-and-cameras.md": ["trimesh"],
+    "docs/how-to/see-it-work.md": ["rerun", "torch"],
     "docs/scene-files.md": ["drjit", "mitsuba"],
 }
 """The packages that the code of a page imports besides NumPy."""
@@ -80,6 +82,10 @@ def given(page: str, number: int) -> dict[str, Any]:
             ball = cw.load_dict(names["room"] | {"ball": {"type": "sphere"}})
             positions = cw.traverse(ball)["ball.positions"]
             cw.save_mesh("start.ply", {"positions": positions, "faces": ball.faces("ball")})
+        case "docs/how-to/see-it-work.md":
+            # It renders its target.
+            del names["target"]
+            Path("job.toml").write_text(JOB, encoding="utf-8")
         case "docs/how-to/custom-loss.md":
             scene = cw.load_file("ball")
             names |= {"scene": scene, "mask": image[..., :1], "target_mask": image}
