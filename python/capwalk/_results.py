@@ -72,7 +72,7 @@ class GradientImage:
     """The method that was chosen."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``, ``dips``
-    (rays that end below faces) and what is therefore ``missing`` (None: no such ray was met)."""
+    (rays that dip below faces where surfaces are concave) and what is therefore ``missing`` (None: no such ray was met)."""
     device: str = "cpu"
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
     _files: Files = ()
@@ -117,7 +117,7 @@ class Gradients(dict[str, Array]):
     """The method that was chosen; of several views that of the first which was sampled."""
     statistics: Mapping[str, Any]
     """What was done: ``samples``, ``complete``, ``non_finite``, ``cone_queries``, ``dips``
-    (rays that end below faces) and what is therefore ``missing`` (None: no such ray was met)."""
+    (rays that dip below faces where surfaces are concave) and what is therefore ``missing`` (None: no such ray was met)."""
     device: str
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
 

@@ -17,6 +17,10 @@ use crate::vertex::Vertex;
 /// The most events of a chain that is drawn.
 const MOST_DRAWN: usize = 16;
 
+/// Smaller cosines count as this one: along curves inside of faces, rays are at right angles to interpolated normals, and
+/// nothing ends there.
+const LEAST_COSINE: f64 = 0.05;
+
 /// Rays that make a smaller angle with a face than this, radians, meet it by rounding: where they do has no derivative.
 const EDGE_ON: f64 = 1e-9;
 
@@ -95,8 +99,8 @@ pub struct AfterLink {
 pub struct Bent<R> {
     /// Where the last event was, and the unit direction in which the ray goes on.
     pub ray: [Vec3<R>; 2],
-    /// The smallest cosine of the rays before and after each event with the normal there: where it vanishes, images are
-    /// shrunk without bound.
+    /// The smallest cosine of the rays before and after each event with the normal there, at least [`LEAST_COSINE`]: where
+    /// it is small, images are shrunk.
     pub cosine: R,
 }
 
@@ -132,7 +136,11 @@ fn own_event<R: Real>(vertex: &Vertex<R>, event: Event) -> Option<Specular> {
 /// [`Bent::cosine`] of an event.
 fn cosine<R: Real>(vertex: &Vertex<R>, direction: Vec3<R>) -> R {
     let [before, after] = [vertex.wi, vertex.frame.to_local(direction)].map(|w| w.z.abs());
-    if before < after { before } else { after }
+    let smaller = if before < after { before } else { after };
+    match smaller.value() < LEAST_COSINE {
+        true => R::constant(LEAST_COSINE),
+        false => smaller,
+    }
 }
 
 /// A moving ray after the events of a chain, whose faces stay the same.
@@ -171,7 +179,7 @@ pub struct End {
     pub distance: f64,
     /// Position and unit direction of a ray that is scattered there.
     pub scattered: Option<[Vec3; 2]>,
-    /// Of the reflections and refractions before the end, up to the first ray that dips.
+    /// Of the reflections and refractions before the end, up to the first ray that dips where the surface rises before it.
     pub dips: Dips,
 }
 

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! with `s_i / c_i` a guess of how much the chain magnifies: `s_i` is a constant, and `c_i` the smallest cosine
-//! of a ray with the normal at its vertices. A walk needs no more than that it is continuous, and zero on the
-//! boundary; elsewhere it vanishes only where the image shrinks to nothing (`c_i = 0`).
+//! of a ray with the normal at its vertices, at least 0.05. A walk needs no more than that it is continuous, and
+//! zero on the boundary, only there.
 
 use std::cell::Cell;
 use std::f64::consts::PI;

@@ -50,13 +50,14 @@ pub struct Statistics {
     pub dips: Dips,
 }
 
-/// How often a ray that is reflected or refracted about an interpolated or mapped normal dips below its face. Light ends
-/// there, and no field knows how the borders of these places move: that part of a derivative is missing (method 6).
+/// How often a ray that is reflected or refracted about an interpolated or mapped normal dips below its face where the
+/// surface rises before it. No field knows how the borders of these places move: that part of a derivative is missing
+/// (method 6).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dips {
     /// Reflections and refractions on some paths, each followed up to the first that dips.
     pub events: u32,
-    /// How many of them dip.
+    /// How many of them dip there.
     pub dip: u32,
 }
 
@@ -72,9 +73,9 @@ impl Dips {
         let Self { events, dip } = self;
         (*dip > 0).then(|| {
             format!(
-                "in {dip} of {events} reflections and refractions looked at, the ray dips below its face, because \
-                 normals are interpolated or mapped; how such places move is missing in the gradient. Finer meshes \
-                 have fewer of them, flat normals none"
+                "in {dip} of {events} reflections and refractions looked at, the ray dips below its face where the \
+                 surface is concave, because normals are interpolated or mapped; how such places move is missing in \
+                 the gradient. Finer meshes have fewer of them, flat normals none"
             )
         })
     }

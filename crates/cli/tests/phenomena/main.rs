@@ -37,6 +37,7 @@ phenomena! {
     camera_over_a_texture
     caustic_below_a_lens
     checkerboard_under_a_moving_cube
+    coarse_mirror_turns
     coarse_smooth_ball_turns
     colours_of_a_wall_slide
     colours_of_faces

@@ -11,6 +11,7 @@ use capwalk_diff::{
     backward, gradient, render,
 };
 use capwalk_math::{Affine, Rgb, Vec3};
+use capwalk_scene::lobe::Conductor;
 use capwalk_scene::primitive::{cube, icosphere, rectangle};
 use capwalk_scene::*;
 
@@ -158,14 +159,51 @@ fn numbers_are_finite_where_derivatives_have_no_bound() {
     }
 }
 
-/// Both modes say how many rays dip below the faces of a smooth mirror: few, none where its faces are flat, and none
-/// are looked for where nothing moves.
+/// What a convex mirror shows is continuous up to its silhouette, however coarse it is: under an even sky, a perfect
+/// one cannot be seen.
+#[test]
+fn a_coarse_mirror_ball_is_even_under_an_even_sky() {
+    let mut scene = beside_a_ball(v(0.0, 9.0, 0.0));
+    let ball = placed(icosphere(1), Affine::scale(Vec3::splat(0.6)));
+    scene.shapes.truncate(1);
+    let shape = scene.shape_mut(ShapeId(0));
+    shape.normals = ShadingNormals::computed(&ball);
+    shape.mesh = ball;
+    make(&mut scene, "ball", |n| Conductor {
+        eta: n.colour("eta", [0.0; 3]),
+        k: n.colour("k", [1.0; 3]),
+        specular_reflectance: n.colour("specular_reflectance", [1.0; 3]),
+    });
+    paths(&mut scene, 2);
+    let options = RenderOptions {
+        spp: 16,
+        ..RenderOptions::of(&scene)
+    };
+    let image = render(&PreparedScene::new(scene), &options, &Unwatched).value;
+    for pixel in &image.mean.pixels {
+        let difference = *pixel - Rgb::new(0.6, 0.7, 1.0);
+        assert!(difference.map(f64::abs).max_component() < 1e-9, "{pixel:?}");
+    }
+}
+
+/// Both modes say how many rays dip below the faces of a smooth mirror where it is concave: none where it is convex or
+/// its faces are flat, and none are looked for where nothing moves.
 #[test]
 fn rays_that_dip_below_faces_are_counted() {
-    let mut smooth = beside_a_ball(v(-0.7, -1.0, -0.1));
+    let mut convex = beside_a_ball(v(-0.7, -1.0, -0.1));
+    make(&mut convex, "ball", |n| n.mirror());
+    small(&mut convex, 3);
+    // Seen from within, beside a corner, along its wall.
+    let corner = icosphere(2).positions[0];
+    let (from, way) = (corner * (0.6 * 0.985), corner.cross(v(0.3, 0.5, 0.7)));
+    let mut smooth = seen_from(from, from + way, 90.0, v(0.1, 0.0, 0.0));
+    smooth.sensor.near_clip = 1e-4;
     make(&mut smooth, "ball", |n| n.mirror());
     small(&mut smooth, 3);
-    let mut flat = smooth.clone();
+    let ball = smooth.shape_mut(ShapeId(0));
+    ball.mesh.faces.iter_mut().for_each(|face| face.swap(0, 1));
+    ball.normals = ShadingNormals::computed(&ball.mesh);
+    let mut flat = convex.clone();
     flat.shape_mut(ShapeId(0)).normals = ShadingNormals::Face;
     // Before other cameras flat mirrors have images, and no chains.
     flat.sensor.model = SensorModel::Orthographic;
@@ -185,6 +223,8 @@ fn rays_that_dip_below_faces_are_counted() {
         assert_eq!(found, reverse.expect("covered").statistics.dips);
         found
     };
+    let found = dips(convex, true);
+    assert!(found.dip == 0 && found.events > 100, "{found:?}");
     let found = dips(smooth.clone(), true);
     println!("{found:?}");
     assert!(found.dip > 0 && found.dip < found.events / 10, "{found:?}");
