@@ -71,16 +71,16 @@ def optimize(
         refused; with ``file``, ``line`` and ``column``.
     :raises ArgumentError: the folder has other results.
 
-    A :class:`UnreliableWarning` says that a guard stopped the run, or that something was not
-    finite. After Ctrl-C, ``resume=True`` goes on.
+    A :class:`UnreliableWarning` says that a guard stopped the run, that something was not
+    finite, or what is missing in gradients. After Ctrl-C, ``resume=True`` goes on.
     """
     with shown(progress, "optimize", "iteration") as told:
         path, folder = os.fspath(job), None if output is None else os.fspath(output)
-        stopped, is_good, folder, of_files = _capwalk.optimize(path, folder, resume, threads, told)
+        stopped, unreliable, folder, of_files = _capwalk.optimize(path, folder, resume, threads, told)
     for warning in of_files:
         warnings.warn(warning, SceneWarning, stacklevel=2)
-    if not is_good:
-        warnings.warn(stopped, UnreliableWarning, stacklevel=2)
+    for warning in unreliable:
+        warnings.warn(warning, UnreliableWarning, stacklevel=2)
     results = Path(folder)
     with np.load(results / "parameters.npz") as file:
         parameters = {name: file[name] for name in file.files if name != "metadata"}

@@ -1,5 +1,7 @@
 //! What is written down of every iteration: a row of a table (CSV).
 
+use capwalk_diff::Dips;
+
 use crate::problem::Problem;
 use crate::samples::Descent;
 use crate::variable::Variables;
@@ -42,6 +44,8 @@ pub struct Step {
     pub lr: f64,
     /// How fast the loss falls along the step before; 0 in the first step.
     pub descent: Descent,
+    /// Rays whose motion is missing in the gradient.
+    pub dips: Dips,
 }
 
 /// The first line of the table, with its end.

@@ -4,7 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use capwalk_diff::{
-    BackwardWork, Chosen, Estimate, GradientOptions, PreparedScene, Purpose, Refusal,
+    BackwardWork, Chosen, Dips, Estimate, GradientOptions, PreparedScene, Purpose, Refusal,
     RenderOptions, Seed, Statistics, Unwatched, Watch, render,
 };
 use capwalk_math::Rgb;
@@ -135,6 +135,8 @@ struct Gradient {
     errors: Vec<f64>,
     /// Along the last step.
     descent: Descent,
+    /// Rays whose motion is missing in it.
+    dips: Dips,
 }
 
 impl Problem {
@@ -356,6 +358,7 @@ impl Problem {
             length: norm(differences()),
             lr: factor * self.lr,
             descent: gradient.descent,
+            dips: gradient.dips,
         });
         // The step counts only if the scene can be rendered and its meshes are whole.
         let after = self.scene(&next).map_err(Stop::Outside)?;
@@ -380,6 +383,7 @@ impl Problem {
         let (mut sums, mut squares) = (vec![0.0; count], vec![0.0; count]);
         // Of the descent, by the differences of halves; not known without.
         let mut variance = self.by_noise.map_or(f64::NAN, |_| 0.0);
+        let mut dips = Dips::default();
         let wanted = self.variables.wanted(&self.scene);
         let shares = self.shares();
         for (i, prepared) in views.iter().enumerate() {
@@ -414,6 +418,9 @@ impl Problem {
                 facts = Some(work.facts());
                 let result = work.whole(watch).map_err(Stop::from)?;
                 refuse_unusable("gradient", row.iteration, &result.statistics)?;
+                if half == 0 {
+                    dips += result.statistics.dips;
+                }
                 // From the scene to its values to the unknowns: two transposed linear maps.
                 let pull = |gradient: &_| {
                     let variables = &self.variables;
@@ -448,6 +455,7 @@ impl Problem {
                 value: 0.0 - along,
                 by: [variance - by_gradient, by_gradient],
             },
+            dips,
         })
     }
 

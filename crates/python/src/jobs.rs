@@ -11,8 +11,8 @@ use pyo3::prelude::*;
 use crate::errors;
 use crate::watched::{How, watched};
 
-/// Why a run stopped, whether that is a good end, its folder, and warnings about the scene files.
-type Ended = (String, bool, PathBuf, Vec<String>);
+/// Why a run stopped, why its results are unreliable, its folder, and warnings about the scene files.
+type Ended = (String, Vec<String>, PathBuf, Vec<String>);
 
 /// Stops when it is time or another watch says so, and tells nothing: progress is by iterations.
 struct Until<'w> {
@@ -79,10 +79,13 @@ fn ended(
         Stop::Interrupted if until.is_late() => "the time limit is over".into(),
         stop => stop.to_string(),
     };
-    let is_good = !matches!(
+    let is_bad = matches!(
         stop,
         Stop::Guard(_) | Stop::Outside(_) | Stop::NotFinite { .. }
     );
+    let unreliable = is_bad.then(|| why.clone()).into_iter();
+    let unreliable = unreliable.chain(run.missing().map(str::to_owned));
     let warnings = run.warnings().iter().map(ToString::to_string);
-    Ok((why, is_good, folder, warnings.collect()))
+    let unreliable = unreliable.collect();
+    Ok((why, unreliable, folder, warnings.collect()))
 }

@@ -57,6 +57,7 @@ pub struct Run<'j> {
     views: PreparedViews,
     folder: Folder,
     last: Option<Row>,
+    missing: Option<String>,
 }
 
 impl<'j> Run<'j> {
@@ -87,6 +88,7 @@ impl<'j> Run<'j> {
             views: PreparedViews::new(),
             folder,
             last: None,
+            missing: None,
         })
     }
 
@@ -114,6 +116,12 @@ impl<'j> Run<'j> {
     /// The last iteration that was written down by this run; `None` before the first.
     pub fn last(&self) -> Option<&Row> {
         self.last.as_ref()
+    }
+
+    /// What is missing in gradients of this run, as the first one that lacks something says it; `None` if nothing is
+    /// known to be.
+    pub fn missing(&self) -> Option<&str> {
+        self.missing.as_deref()
     }
 
     /// Iterates until something stops it, and returns what. Every iteration is kept in the
@@ -147,6 +155,9 @@ impl<'j> Run<'j> {
             }
             // Go on from the next state, unless the caller stops the run.
             let flow = seen(&iteration);
+            if let (None, Some(step)) = (&self.missing, &iteration.row.step) {
+                self.missing = step.dips.remark();
+            }
             self.last = Some(iteration.row);
             match iteration.next {
                 Ok(next) => self.state = next,

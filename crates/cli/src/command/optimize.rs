@@ -70,6 +70,9 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         Error::Refused(refusal) => run.located(&refusal).into(),
         error => error,
     })?;
+    if let Some(missing) = run.missing() {
+        log::warn!("{missing}");
+    }
     let files = run.finish(&stop)?;
     let files: Vec<String> = files
         .iter()
@@ -126,6 +129,7 @@ fn report(args: &Optimize, run: &Run, stop: &Stop, is_late: bool, files: &[Strin
             "standard_error": last.map(|row| row.loss_error),
             "noise": last.and_then(|row| row.loss_noise),
             "unknowns": unknowns,
+            "missing": run.missing(),
             "files": files,
         }));
     }

@@ -413,3 +413,49 @@ fn weights_of_views_are_relative() {
     };
     assert_eq!(loss("1e308"), loss("1.0"));
 }
+
+/// What is missing in gradients is said, here for rays inside of a coarse mirror.
+#[test]
+fn a_run_says_what_gradients_lack() {
+    let capwalk = Capwalk::new("optimize_lacks");
+    let mirror = examples().join("../../tests/scenes/object_moves_in_a_coarse_mirror/ball.obj");
+    let scene = format!(
+        r#"<scene version="3.0.0">
+            <integrator type="path"><integer name="max_depth" value="3"/></integrator>
+            <sensor type="perspective">
+                <float name="fov" value="90"/>
+                <float name="near_clip" value="0.0001"/>
+                <transform name="to_world">
+                    <lookat origin="0, -0.1883, 0.6086" target="1, -0.1883, 0.6086" up="0, 0, 1"/>
+                </transform>
+                <film type="hdrfilm"><rfilter type="box"/></film>
+            </sensor>
+            <shape type="obj" id="mirror">
+                <string name="filename" value="{}"/>
+                <boolean name="flip_normals" value="true"/>
+                <bsdf type="conductor"/>
+            </shape>
+            <shape type="cube" id="thing">
+                <transform name="to_world"><scale value="0.1"/></transform>
+                <emitter type="area"/>
+            </shape>
+        </scene>"#,
+        mirror.display()
+    );
+    capwalk.write("scene.xml", &scene);
+    capwalk.write(
+        "job.toml",
+        r#"
+        scene = "scene.xml"
+        size = [8, 6]
+        iterations = 1
+        spp = 2
+        target = { set = { "thing.translate.x" = 0.02 }, spp = 4 }
+        parameter = [{ name = "thing.translate.x" }]
+        optimizer = { lr = 0.01 }
+        "#,
+    );
+    let json = capwalk.json("optimize job.toml --json");
+    let missing = json["missing"].as_str().expect("something is missing");
+    assert!(missing.contains("dips below its face"), "{missing}");
+}
