@@ -3,6 +3,7 @@ Format"."""
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -109,8 +110,15 @@ def _text_images(place: Place, cameras: _Cameras) -> Iterator[Photograph]:
         yield Photograph(here, name, _camera(here, cameras, key), qvec, tvec)
         # Its points. Without them, the next image would be taken for these.
         under, points = next(lines, (here, ""))
-        if len(points.split()) % 3:
+        if len(points.split()) % 3 or not _are_numbers(points):
             raise _unreadable(under, "the points of the image above, X, Y, POINT3D_ID, or an empty line")
+
+
+def _are_numbers(line: str) -> bool:
+    try:
+        return all(math.isfinite(float(word)) for word in line.split())
+    except ValueError:
+        return False
 
 
 def _lines(place: Place) -> Iterator[tuple[Place, str]]:

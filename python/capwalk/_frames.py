@@ -57,7 +57,18 @@ def read_frames(path: Path, size: tuple[int, int] | None) -> Iterator[Frame]:
         here = Place(place.file, f'frames[{index}] "{frame["file_path"]}"')
         if "transform_matrix" not in frame:
             raise here.error('has no "transform_matrix"; expected one from camera to world, 4 by 4')
-        yield _frame(here, {**whole, **frame}, size)
+        yield _frame(here, _own(whole, frame), size)
+
+
+def _own(whole: Mapping[str, Any], frame: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of a frame, and of the file where it has none. A focal length and an angle mean the same."""
+    given = {name.removeprefix("fl_").removeprefix("camera_angle_") for name in frame}
+    of_file = {
+        name: value
+        for name, value in whole.items()
+        if not (name.startswith(("fl_", "camera_angle_")) and name[-1] in given)
+    }
+    return {**of_file, **frame}
 
 
 def _frame(place: Place, values: Mapping[str, Any], size: tuple[int, int] | None) -> Frame:

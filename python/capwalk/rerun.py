@@ -353,7 +353,8 @@ class Log:
         colours = [arrays[name] for name in arrays if own.fullmatch(name)]
         colour = np.resize(colours[0] if colours else MESH_REFLECTANCE, (1, 1, 3))
         path = _path("world", "shapes", shape)
-        if not self._is_new(path, np.concatenate([positions.ravel(), colour.ravel()])):
+        parts = [positions, colour, faces, *([] if normals is None else [normals])]
+        if not self._is_new(path, np.concatenate([part.ravel() for part in parts])):
             return
         if normals is None:
             # Each face is flat, so that no two of them share a corner.

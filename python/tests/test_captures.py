@@ -181,6 +181,8 @@ def test_a_point_is_seen_where_the_numbers_say(kind: str, name: str, tmp_path: P
         ("images", " 0.1 5.0 2 left", " 0.1 nan 2 left", 6, "tvec is .* expected finite"),
         ("images", "5 0.99", "5 0.5", 8, "line 8: qvec has the length 0.5"),
         ("images", "1.5 2.5 -1 3.5 4.5 17\r\n", "", 7, "line 7: expected the points of the image ab"),
+        # Another image, whose name has two blanks.
+        ("images", "1.5 2.5 -1 3.5 4.5 17\r\n", "3 1 0 0 0 0 0 1 7 a b c\r\n", 7, "expected the points"),
         ("images", "right/b 2.jpg", "right/a.jpg", 8, 'two images "right/a.jpg"; remove one'),
     ],
 )
@@ -247,6 +249,9 @@ def test_fields_of_view_stand_for_focal_lengths(tmp_path: Path) -> None:
     k = [[70, 0, 32], [0, 70, 24], [0, 0, 1]]
     expected = cw.cameras.from_opengl(k, frame["transform_matrix"], SIZE)
     assert_equal({"": sensor}, {"": expected}, 1e-12)
+    # A frame's own angle counts, and not the focal length of the file.
+    write_frames(tmp_path, {"fl_x": 35.0, "frames": [frame | {"camera_angle_x": angle}]})
+    assert_equal(cw.cameras.load_transforms(tmp_path, size=SIZE), {frame["file_path"]: expected}, 1e-12)
     with pytest.raises(cw.ArgumentError, match="size is 64; expected width and height"):
         cw.cameras.load_transforms(tmp_path, size=64)  # type: ignore[arg-type]
     # The field of view along y is another one.

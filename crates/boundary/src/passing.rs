@@ -11,7 +11,7 @@ use crate::Accel;
 use crate::accel::SHORT_OF_TARGET;
 
 /// The most coplanar faces that are followed.
-const MOST_FACES: u32 = 1000;
+const MOST_FACES: u32 = 16;
 /// The largest sine of the angle between faces in one plane.
 const COPLANAR: f64 = 1e-9;
 
@@ -73,25 +73,33 @@ impl Accel {
 
     /// A ray that dips, from behind the far side of its shape if that is what it meets first.
     fn passing(&self, leaving: &Leaving, ray: Ray) -> Ray {
-        // On the outside of the shape, or on its inside.
-        let side = leaving.normal.dot(self.outward(leaving.face)).signum();
-        let comes_back = |hit: &Hit| {
-            let shape_of = |face: u32| self.shape_of_face[face as usize];
-            shape_of(hit.face) == shape_of(leaving.face)
-                && ray.direction.dot(self.outward(hit.face)) * side > 0.0
-        };
-        match self.first_hit_within(&ray).filter(comes_back) {
-            Some(hit) => Ray {
+        match self.first_hit_within(&ray) {
+            Some(hit) if self.is_far_side(leaving, &hit, ray.direction) => Ray {
                 t_min: hit.t + ray.t_min,
                 ..ray
             },
-            None => ray,
+            _ => ray,
         }
     }
 
-    /// True if a ray that dips sees the same as rays beside it that do not: if its shape, where a ray along the face leaves
-    /// this, does not rise before it.
+    /// True if the ray comes back there, through its own shape, to the side to which it leaves the face.
+    fn is_far_side(&self, leaving: &Leaving, hit: &Hit, direction: Vec3) -> bool {
+        let shape_of = |face: u32| self.shape_of_face[face as usize];
+        let side = leaving.normal.dot(self.outward(leaving.face));
+        shape_of(hit.face) == shape_of(leaving.face)
+            && direction.dot(self.outward(hit.face)) * side > 0.0
+    }
+
+    /// True if a ray that dips sees the same as rays beside it that do not, as far as is known: if nothing but the far side
+    /// of its shape is before it, and the shape does not rise where a ray along the face leaves this.
     pub fn dips_continuously(&self, leaving: &Leaving, origin: Vec3, direction: Vec3) -> bool {
+        let hit = self.first_hit(origin, direction);
+        hit.is_none_or(|hit| self.is_far_side(leaving, &hit, direction))
+            && self.falls_away(leaving, origin, direction)
+    }
+
+    /// True if the shape goes on below the plane of the face, or ends, where a ray along the face leaves this.
+    fn falls_away(&self, leaving: &Leaving, origin: Vec3, direction: Vec3) -> bool {
         let way = direction.reject_from(leaving.normal);
         let (mut face, mut origin) = (leaving.face, origin);
         for _ in 0..MOST_FACES {

@@ -3,7 +3,7 @@
 
 use capwalk_boundary::{Accel, Leaving, Stream, bounded_ray};
 use capwalk_geometry::{Hit, Ray};
-use capwalk_math::{Real, Vec3};
+use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::lobe::{Event, Specular};
 use capwalk_scene::sensor::view::View;
 
@@ -179,7 +179,7 @@ pub struct End {
     pub distance: f64,
     /// Position and unit direction of a ray that is scattered there.
     pub scattered: Option<[Vec3; 2]>,
-    /// Of the reflections and refractions before the end, up to the first ray that dips where the surface rises before it.
+    /// Of the reflections and refractions before the end, up to the first ray whose dip is not continuous.
     pub dips: Dips,
 }
 
@@ -214,12 +214,13 @@ pub fn drawn_chain(
         let drawn = vertex.bsdf.sample(vertex.wi, choice, u);
         match drawn.map(|drawn| (drawn.specular, drawn.wo)) {
             Some((Some(event), _)) if links.len() < MOST_DRAWN => {
-                let ([_, direction], _) = vertex.specular(event, incoming);
+                let ([_, direction], fraction) = vertex.specular(event, incoming);
                 let leaving = vertex.leaving(event.event);
                 ray = accel.ray_leaving(&leaving, vertex.position, direction);
                 if dips.dip == 0 && event.event != Event::Pass {
                     let position = vertex.position;
                     let dips_there = leaving.dips(direction)
+                        && fraction != Rgb::zero()
                         && !accel.dips_continuously(&leaving, position, direction);
                     dips.count(dips_there);
                 }

@@ -1,5 +1,5 @@
 //! What some paths tell of the chains of specular events in a scene: by how much they magnify, roughly, and how often
-//! their rays dip below faces where the surface rises before them. Magnification is what a small turn of a direction does to that in which the chain sees
+//! their rays dip below faces where that is not continuous. Magnification is what a small turn of a direction does to that in which the chain sees
 //! something at the end, but for the cosines of angles at mirrors and glass ([`Bent::cosine`]).
 
 use capwalk_boundary::{Accel, MAX_EVENTS, Stream, bends_images};

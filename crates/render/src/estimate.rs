@@ -45,13 +45,13 @@ pub struct Statistics {
     pub effort: u64,
     /// Where it was computed.
     pub device: UsedDevice,
-    /// Rays that dip below faces, on 1024 paths from the camera: of derivatives in which what is seen in curved mirrors
+    /// Rays that dip below faces where that is not continuous, on 1024 paths from the camera: of derivatives in which what is seen in curved mirrors
     /// or through glass may move, none of others.
     pub dips: Dips,
 }
 
 /// How often a ray that is reflected or refracted about an interpolated or mapped normal dips below its face where the
-/// surface rises before it. No field knows how the borders of these places move: that part of a derivative is missing
+/// surface rises before it, or another one is there. No field knows how the borders of these places move: that part of a derivative is missing
 /// (method 6).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dips {
@@ -74,7 +74,7 @@ impl Dips {
         (*dip > 0).then(|| {
             format!(
                 "in {dip} of {events} reflections and refractions looked at, the ray dips below its face where the \
-                 surface is concave, because normals are interpolated or mapped; how such places move is missing in \
+                 surface is concave or another one meets it, because normals are interpolated or mapped; how such places move is missing in \
                  the gradient. Finer meshes have fewer of them, flat normals none"
             )
         })

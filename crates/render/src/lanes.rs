@@ -480,10 +480,8 @@ impl<'a> LaneTracer<'a> {
         self.count_rays(paths, wanted);
     }
 
-    /// Draws directions from the surfaces, finds what is there, and adds what emitters send from
-    /// there; one bit for each that leads on.
-    /// Draws directions from the materials of these faces and finds what they meet; one bit for each of some lanes that
-    /// has one.
+    /// Draws directions from the materials of these faces, finds what is there, and adds what emitters send from there;
+    /// one bit for each of some lanes that has one.
     fn draw_brdf(
         &self,
         paths: &mut Paths<'_>,
