@@ -9,6 +9,7 @@ reads as `f64`. So the source is compiled with `half` for it, which it uses for 
 and here that becomes `f64`.
 """
 
+import concurrent.futures
 import ctypes
 import glob
 import importlib.metadata
@@ -166,26 +167,35 @@ def checksum(content):
     return f"{value:016x}"
 
 
+def compiled(task):
+    """A kernel in both languages, by the names of their files."""
+    source, entry, precision = task
+    library = compiler()
+    return {
+        f"{entry}_{precision}.wgsl": wgsl(library, source, entry, precision),
+        f"{entry}_{precision}.ptx": ptx(library, nvrtc(), source, entry, precision),
+    }
+
+
 def main():
     folder = sys.argv[1]
-    library = compiler()
-    nvidia_compiler = nvrtc()
-    slang_version = f"Slang {string(library.spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
+    slang_version = f"Slang {string(compiler().spGetBuildTagString())} in slangpy {importlib.metadata.version('slangpy')}"
     by_both = f"{slang_version}, NVRTC {importlib.metadata.version('nvidia-cuda-nvrtc-cu12')}"
     parts = [f"// Compiled by `cargo xtask kernels`: {by_both}.\n"]
-    for name, entries in ENTRIES.items():
-        source = os.path.join(folder, f"{name}.slang")
-        if not os.path.exists(source):
-            continue
-        of_source = checksum(content(folder, f"{name}.slang"))
-        for entry, precision in itertools.product(entries, PRECISIONS):
-            for language, code in [
-                ("wgsl", wgsl(library, source, entry, precision)),
-                ("ptx", ptx(library, nvidia_compiler, source, entry, precision)),
-            ]:
-                file = f"{entry}_{precision}.{language}"
+    tasks = [
+        (source, entry, precision)
+        for name, entries in ENTRIES.items()
+        if os.path.exists(source := os.path.join(folder, f"{name}.slang"))
+        for entry, precision in itertools.product(entries, PRECISIONS)
+    ]
+    # A process for each core: the compilers take seconds, on one.
+    with concurrent.futures.ProcessPoolExecutor() as processes:
+        for (source, _, _), kernels in zip(tasks, processes.map(compiled, tasks), strict=True):
+            name = os.path.basename(source)
+            of_source = checksum(content(folder, name))
+            for file, code in kernels.items():
                 code = code.strip() + "\n"
-                parts.append(f"{MARK}{file} {name}.slang {of_source} {checksum(code.encode())}\n{code}")
+                parts.append(f"{MARK}{file} {name} {of_source} {checksum(code.encode())}\n{code}")
                 print(f"    {file}: {len(code)} bytes", flush=True)
     text = "".join(parts).encode()
     filters = [{"id": lzma.FILTER_LZMA1, "preset": 9 | lzma.PRESET_EXTREME, "dict_size": DICTIONARY}]
@@ -195,4 +205,5 @@ def main():
     print(f"    compiled.lzma: {len(packed)} bytes for {len(text)}")
 
 
-main()
+if __name__ == "__main__":
+    main()
