@@ -228,10 +228,14 @@ impl Accel {
     /// distance along a unit direction.
     #[inline]
     pub fn surface_sees(&self, from: Vec3, direction: Vec3, distance: f64) -> bool {
-        !self.rays.occluded(&Ray {
-            t_max: distance * (1.0 - SHORT_OF_TARGET),
-            ..self.surface_ray(from, direction)
-        })
+        self.is_free(self.surface_ray(from, direction), distance)
+    }
+
+    /// True if nothing lies on a ray before the point at a distance.
+    #[inline]
+    pub(crate) fn is_free(&self, ray: Ray, distance: f64) -> bool {
+        let t_max = distance * (1.0 - SHORT_OF_TARGET);
+        !self.rays.occluded(&Ray { t_max, ..ray })
     }
 
     /// The distances between which something is in the way of each ray of a bundle from points on

@@ -6,9 +6,9 @@
 use capwalk_geometry::{Hit, Ray};
 use capwalk_math::Vec3;
 use capwalk_scene::lobe::Event;
+use capwalk_scene::outside;
 
 use crate::Accel;
-use crate::accel::SHORT_OF_TARGET;
 
 /// The most coplanar faces that are followed.
 const MOST_FACES: u32 = 16;
@@ -24,7 +24,7 @@ pub struct Leaving {
 }
 
 impl Leaving {
-    /// That of the ray after an event on a face with this unit normal on the viewer's side.
+    /// How a ray leaves a face after an event there. `face_normal` is its unit normal on the viewer's side.
     #[inline]
     pub fn after(event: Event, face: u32, face_normal: Vec3) -> Self {
         let normal = match event {
@@ -65,10 +65,7 @@ impl Accel {
         direction: Vec3,
         distance: f64,
     ) -> bool {
-        !self.rays().occluded(&Ray {
-            t_max: distance * (1.0 - SHORT_OF_TARGET),
-            ..self.ray_leaving(leaving, from, direction)
-        })
+        self.is_free(self.ray_leaving(leaving, from, direction), distance)
     }
 
     /// A ray that dips, from behind the far side of its shape if that is what it meets first.
@@ -165,7 +162,6 @@ impl Accel {
         };
         let first = self.first_vertex[id.0 as usize];
         let corners = self.mesh.faces[face as usize];
-        let [a, b, c] = corners.map(|i| normals[(i - first) as usize]);
-        cross * (a + b + c).dot(cross).signum()
+        cross * outside(corners.map(|i| normals[(i - first) as usize]), cross)
     }
 }

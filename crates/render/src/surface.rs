@@ -6,7 +6,7 @@ use capwalk_geometry::Hit;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::emitter::delta::DeltaLight;
 use capwalk_scene::lobe::Side;
-use capwalk_scene::{BsdfId, Emitter, EmitterId, SurfacePoint};
+use capwalk_scene::{BsdfId, Emitter, EmitterId, SurfacePoint, outside};
 
 use crate::scene_eval::SceneEval;
 
@@ -85,15 +85,13 @@ pub fn surface_at<R: Real, W: SceneEval<R>>(
         false => hit.barycentric.map(R::constant),
     };
     let barycentric = [R::constant(1.0) - wb - wc, wb, wc];
-    // Normals given with a mesh say which side of a face is out, even against
-    // its winding; all three together, so that it is the same all over it.
     let (outward, out) = match shape.normals.per_vertex() {
         None => (cross.normalized(), 1.0),
         Some(_) => {
             let first = accel.first_vertex[shape_id.0 as usize];
             let normal = |i: u32| eval.normal(shape_id.0 as usize, i - first);
             let (na, nb, nc) = (normal(i), normal(j), normal(k));
-            let out = (na + nb + nc).value().dot(face_normal).signum();
+            let out = outside([na, nb, nc].map(Vec3::value), face_normal);
             let normal = (na + (nb - na) * wb + (nc - na) * wc).normalized();
             (normal, out)
         }

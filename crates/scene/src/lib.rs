@@ -49,7 +49,9 @@ pub use scene_vector::{
 };
 pub use sensor::{Optic, Sensor, SensorModel};
 pub use settings::{Aov, Integrator, SamplerKind, Settings};
-pub use shape::{Attribute, ShadingNormals, Shape, corner_normals, normal_sums, vertex_normals};
+pub use shape::{
+    Attribute, ShadingNormals, Shape, corner_normals, normal_sums, outside, vertex_normals,
+};
 pub use slot::Slot;
 pub use surface_point::SurfacePoint;
 pub use texture::{Pattern, Texture};

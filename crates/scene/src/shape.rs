@@ -67,6 +67,14 @@ impl ShadingNormals {
     }
 }
 
+/// 1 if a normal of a face is on the outside of its shape, else -1: the normals of its corners say which side that is,
+/// even against the winding; all three together, so that it is the same all over the face.
+#[inline]
+pub fn outside(normals: [Vec3; 3], face_normal: Vec3) -> f64 {
+    let [a, b, c] = normals;
+    (a + b + c).dot(face_normal).signum()
+}
+
 impl Shape {
     /// A shape without light, texture coordinates and attributes.
     pub fn new(id: impl Into<String>, mesh: Mesh, normals: ShadingNormals, bsdf: BsdfId) -> Self {

@@ -164,7 +164,7 @@ impl<'a> LaneLobes<'a> {
         std::array::from_fn(|lane| self.event(lane))
     }
 
-    /// That of a lane.
+    /// The specular event that was drawn in a lane, and its probability.
     pub fn event(&self, lane: usize) -> Option<(Specular, f64)> {
         match self.with_lobes >> lane & !self.rough_lanes >> lane & 1 {
             1 => self.specular[lane],

@@ -7,7 +7,7 @@ use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf, Side};
 use capwalk_scene::resolve::Constants;
 use capwalk_scene::{
-    Bsdf, BsdfId, EmitterId, Scene, Shape, ShapeId, Slot, SurfacePoint, TextureId,
+    Bsdf, BsdfId, EmitterId, Scene, Shape, ShapeId, Slot, SurfacePoint, TextureId, outside,
 };
 
 use crate::lanes::lobes::{LaneLobes, Lobes};
@@ -346,8 +346,9 @@ impl<'a> LaneScene<'a> {
         let normals = self.accel.scene.shape(id).normals.per_vertex();
         let normals = normals.expect("it has normals");
         let corners = self.accel.mesh.faces[face as usize];
-        let [a, b, c] = corners.map(|i| normals[(i - shape.first_vertex) as usize]);
-        let out = (a + b + c).dot(vertices.face_normal.get(lane)).signum();
+        let normals = corners.map(|i| normals[(i - shape.first_vertex) as usize]);
+        let out = outside(normals, vertices.face_normal.get(lane));
+        let [a, b, c] = normals;
         let [wa, wb, wc] = vertices.barycentric(lane);
         ((a * wa + b * wb + c * wc).normalized(), out)
     }
