@@ -62,13 +62,9 @@ def read_frames(path: Path, size: tuple[int, int] | None) -> Iterator[Frame]:
 
 def _own(whole: Mapping[str, Any], frame: Mapping[str, Any]) -> dict[str, Any]:
     """The values of a frame, and of the file where it has none. A focal length and an angle mean the same."""
-    given = {name.removeprefix("fl_").removeprefix("camera_angle_") for name in frame}
-    of_file = {
-        name: value
-        for name, value in whole.items()
-        if not (name.startswith(("fl_", "camera_angle_")) and name[-1] in given)
-    }
-    return {**of_file, **frame}
+    same = [{f"fl_{axis}", f"camera_angle_{axis}"} for axis in "xy"]
+    hidden = set().union(*(names for names in same if names & frame.keys()))
+    return {**{name: value for name, value in whole.items() if name not in hidden}, **frame}
 
 
 def _frame(place: Place, values: Mapping[str, Any], size: tuple[int, int] | None) -> Frame:

@@ -52,7 +52,7 @@ class Image:
         _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
 
     def _repr_png_(self) -> bytes:
-        return _capwalk.png(self.value, False)
+        return _capwalk.png(self.value, None)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -105,7 +105,7 @@ class GradientImage:
         _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
 
     def _repr_png_(self) -> bytes:
-        return _capwalk.png(self.gradient, True)
+        return _capwalk.png(self.gradient, _capwalk.limit(self.gradient))
 
 
 class Gradients(dict[str, Array]):

@@ -17,11 +17,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import islice
-from types import TracebackType
 from typing import Any
 
 import ray  # type: ignore[import-not-found, unused-ignore]
 
+from ._closing import Closing
 from ._options import integer
 from ._parts import Job, Sender, SentJob
 from ._workers import Finished, Workers, view_seed
@@ -30,7 +30,7 @@ from .errors import ArgumentError, Error, WorkerError
 __all__ = ["Cluster", "view_seed"]
 
 
-class Cluster(Workers):
+class Cluster(Closing, Workers):
     """The processes of a Ray cluster. Parts are Ray tasks: a free process takes the next one, and
     parts that were lost with a process or a machine are computed again by another.
 
@@ -82,17 +82,6 @@ class Cluster(Workers):
         if self._connected:
             self._connected = False
             ray.shutdown()
-
-    def __enter__(self) -> Cluster:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
 
     def _finished(self, jobs: Sequence[Job]) -> Finished:
         if self._sender is None:

@@ -34,7 +34,6 @@ import os
 import re
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from types import TracebackType
 from typing import Any
 
 import numpy as np
@@ -47,10 +46,11 @@ except ImportError as error:
     raise ImportError("capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'") from error
 
 from . import _capwalk
-from ._colours import Colours, false_colours, photographic
+from ._closing import Closing
 from ._functions import load_file
+from ._given import array_of, number_of, pixels_of, vectors_of
 from ._layout import TIMELINE, Layout
-from ._numbers import Array, numbers
+from ._numbers import Array
 from ._options import integer
 from ._parameters import traverse
 from ._results import GradientImage, Image
@@ -63,7 +63,7 @@ MOST_CURVES = 16
 """Arrays with more numbers than this have one curve."""
 
 NEARLY_ALL = 99
-"""The percentile of sizes that ends a scale, so that outliers do not decide it."""
+"""The percentile of lengths that counts as the longest, so that outliers do not decide it."""
 
 ARROW = {"positions": 0.5, "translate": 1.5}
 """The length of nearly the longest arrow of a shape, in its radii; one from the centre is to be
@@ -81,7 +81,7 @@ MESH_REFLECTANCE = 0.5
 """Of shapes whose BSDF has no reflectance, or is not their own."""
 
 
-class Log:
+class Log(Closing):
     """What happens in an optimisation, for the viewer of Rerun. :meth:`iteration` begins an
     iteration. What is logged then is shown there, and later until something else is logged in its
     place.
@@ -113,7 +113,7 @@ class Log:
         """What was logged last, by path."""
         self._first: dict[str, Array] = {}
         """Parameters as they were logged first."""
-        self._scales: dict[str, float] = {}
+        self._limits: dict[str, float] = {}
         """By path."""
         self._runs: dict[Path, RunFolder] = {}
         self.iteration(0)
@@ -147,17 +147,6 @@ class Log:
         self.stream.flush()
         self.stream.disconnect()
 
-    def __enter__(self) -> Log:
-        return self
-
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        traceback: TracebackType | None,
-    ) -> None:
-        self.close()
-
     def iteration(self, number: int) -> None:
         """Begins an iteration, from 0."""
         self._lay_out()
@@ -180,18 +169,18 @@ class Log:
             its frustum.
         :raises ArgumentError: an image of another shape.
         """
-        value = _pixels("the image", image.value if isinstance(image, GradientImage) else image)
-        self._show(sensor, "image", value, photographic(value))
+        value = pixels_of("the image", image.value if isinstance(image, GradientImage) else image)
+        self._show(sensor, "image", value)
         if target is not None:
-            wanted = _pixels("the target", target)
+            wanted = pixels_of("the target", target)
             if wanted.shape != value.shape:
                 text = f"the target has the shape {wanted.shape}"
                 raise ArgumentError(f"{text}; expected {value.shape}, that of the image")
-            self._show(sensor, "target", wanted, photographic(wanted))
+            self._show(sensor, "target", wanted)
             self._show_signed(sensor, "difference", value - wanted)
         if isinstance(image, GradientImage):
             self._show_signed(sensor, "derivative", image.gradient)
-            self._show_signed(sensor, "standard error", image.stderr, scale_of="derivative")
+            self._show_signed(sensor, "standard error", image.stderr, limit_of="derivative")
 
     def scene(
         self,
@@ -216,7 +205,7 @@ class Log:
         """
         if params:
             scene = scene.copy()
-            traverse(scene).update({name: _array(name, value) for name, value in params.items()})
+            traverse(scene).update({name: array_of(name, value) for name, value in params.items()})
         if not self._layout.has_scene:
             self._layout.has_scene = True
             self.stream.log("world", rr.ViewCoordinates.RIGHT_HAND_Y_UP, static=True)
@@ -248,7 +237,7 @@ class Log:
         :raises ArgumentError: an array of another size than before.
         """
         for name, given in values.items():
-            value = _array(name, given).ravel()
+            value = array_of(name, given).ravel()
             first = self._first.setdefault(name, value.copy())
             if value.size != first.size:
                 text = f"{name} has {value.size} numbers"
@@ -262,7 +251,7 @@ class Log:
                 self._curve("parameters", name, {f"{name}[{i}]": x for i, x in enumerate(value)})
         errors = getattr(gradients, "stderr", {})
         for name, gradient in (gradients or {}).items():
-            lengths = {name: np.linalg.norm(_array(f"the gradient of {name}", gradient))}
+            lengths = {name: np.linalg.norm(array_of(f"the gradient of {name}", gradient))}
             if name in errors:
                 lengths[f"{name}, noise"] = np.linalg.norm(errors[name])
             self._curve("gradients", name, lengths)
@@ -275,10 +264,10 @@ class Log:
         :param name: of this loss, if there are several.
         :raises ArgumentError: more than one number.
         """
-        loss = _number(name, value)
+        loss = number_of(name, value)
         self._curve("loss", name, {name: loss})
         if stderr is not None:
-            error = _number(f"the standard error of {name}", stderr)
+            error = number_of(f"the standard error of {name}", stderr)
             ends = {f"{name} - stderr": loss - error, f"{name} + stderr": loss + error}
             self._curve("loss", f"{name} stderr", ends)
 
@@ -320,31 +309,27 @@ class Log:
             self._sent = copy.deepcopy(self._layout)
 
     def _show(
-        self, sensor: str, kind: str, value: Array, colours: Colours, title: str = ""
+        self, sensor: str, kind: str, value: Array, limit: float | None = None, title: str = ""
     ) -> None:
-        """Logs an image as it is shown, if it is not the one before."""
+        """Logs an image as it is saved, with a limit in false colours, if it is not the one before."""
         # In a frustum there is only the image.
         path = _path(*(["world", "cameras"] if kind == "image" else ["images"]), sensor, kind)
         self._layout.images.setdefault(sensor, {})[path] = title or kind
         if self._is_new(path, value):
             self._note_non_finite(f"{kind} of {sensor}", value)
-            self.stream.log(path, rr.Image(colours))
+            contents = _capwalk.png(value, limit)
+            self.stream.log(path, rr.EncodedImage(contents=contents, media_type="image/png"))
 
-    def _show_signed(self, sensor: str, kind: str, value: Array, scale_of: str = "") -> None:
-        """Logs an image in false colours, with a scale of its own or that of another one."""
-        means = value.mean(axis=2)
-        scale = self._scale(_path("images", sensor, scale_of or kind), means)
-        self._show(sensor, kind, value, false_colours(means / scale), f"{kind}, ±{scale:.2g}")
+    def _show_signed(self, sensor: str, kind: str, value: Array, limit_of: str = "") -> None:
+        """Logs an image in false colours, with a limit of its own or that of another one."""
+        limit = self._limit(_path("images", sensor, limit_of or kind), value)
+        self._show(sensor, kind, value, limit, f"{kind}, ±{limit:.2g}")
 
-    def _scale(self, path: str, values: Array) -> float:
-        """Above what nearly all numbers were when there were some first, rounded up to two digits;
-        1 before."""
-        sizes = np.abs(values[np.isfinite(values) & (values != 0.0)])
-        if path not in self._scales and sizes.size > 0:
-            end = float(np.percentile(sizes, NEARLY_ALL))
-            digit = 10.0 ** (math.floor(math.log10(end)) - 1)
-            self._scales[path] = math.ceil(end / digit) * digit
-        return self._scales.get(path, 1.0)
+    def _limit(self, path: str, value: Array) -> float:
+        """The limit of false colours when there were some first; 1 before."""
+        if path not in self._limits and np.nan_to_num(value.mean(axis=2), posinf=0, neginf=0).any():
+            self._limits[path] = _capwalk.limit(value)
+        return self._limits.get(path, 1.0)
 
     def _mesh(self, shape: str, faces: NDArray[np.uint32], arrays: Mapping[str, Array]) -> None:
         """Logs the faces of a shape, in the colour of its reflectance if that is one."""
@@ -366,7 +351,7 @@ class Log:
             vertex_positions=positions,
             triangle_indices=faces,
             vertex_normals=normals,
-            albedo_factor=photographic(colour).ravel(),
+            albedo_factor=_srgb(colour).ravel(),
         )
         self.stream.log(path, mesh)
 
@@ -406,12 +391,12 @@ class Log:
         name = f"the gradient of {shape}.{kind}"
         centre = positions.mean(axis=0)
         origins = positions if kind == "positions" else centre[None]
-        gradient = _vectors(name, given, len(origins))
+        gradient = vectors_of(name, given, len(origins))
         self._note_non_finite(name, gradient)
         lengths = np.linalg.norm(gradient, axis=1)
         is_certain = np.full(len(gradient), True)
         if stderr is not None:
-            errors = _vectors(f"the standard error of {name}", stderr, len(origins))
+            errors = vectors_of(f"the standard error of {name}", stderr, len(origins))
             is_certain = lengths >= CERTAIN * np.linalg.norm(errors, axis=1)
         # One of NaN has no direction.
         shown = np.isfinite(lengths) & (lengths > 0.0)
@@ -482,36 +467,12 @@ def _path(*parts: str) -> str:
     return path
 
 
-def _array(what: str, value: ArrayLike) -> Array:
-    """The numbers of an array of any framework."""
-    # PyTorch's do not convert if they are part of a graph or elsewhere than in main memory.
-    detach = getattr(value, "detach", None)
-    return numbers(what, detach().cpu() if detach else value)
-
-
-def _number(what: str, value: ArrayLike) -> float:
-    array = _array(what, value)
-    if array.size != 1:
-        raise ArgumentError(f"{what} has the shape {array.shape}; expected one number")
-    return float(array.item())
-
-
-def _vectors(what: str, value: ArrayLike, count: int) -> Array:
-    """Rows of three numbers, flat or not."""
-    array = _array(what, value)
-    if array.size != 3 * count:
-        raise ArgumentError(f"{what} has the shape {array.shape}; expected {count} x 3 numbers")
-    return array.reshape(count, 3)
-
-
-def _pixels(what: str, image: ArrayLike) -> Array:
-    pixels = _array(what, image)
-    if pixels.ndim != 3 or pixels.shape[2] != 3:
-        raise ArgumentError(f"{what} has the shape {pixels.shape}; expected (height, width, 3)")
-    return pixels
-
-
 def _unit(vectors: Array) -> Array:
     """Vectors of length 1, or 0."""
     lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
     return vectors / np.where(lengths > 0.0, lengths, 1.0)
+
+
+def _srgb(linear: Array) -> Array:
+    """Linear colours from 0 to 1 as sRGB (IEC 61966-2-1)."""
+    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import subprocess
 import sys
 from pathlib import Path
@@ -9,6 +10,7 @@ from typing import Any
 
 import capwalk as cw
 import numpy as np
+import PIL.Image
 import pytest
 from conftest import SCENE
 from test_jobs import JOB
@@ -45,9 +47,9 @@ def curve(recording: Any, entity: str) -> Any:
 
 def pixels(recording: Any, entity: str, row: int = 0) -> Any:
     """An image, (height, width, 3)."""
-    [form] = recording[entity]["Image:format"][row][1]
-    [buffer] = recording[entity]["Image:buffer"][row][1]
-    return np.array(buffer, dtype=np.uint8).reshape(form["height"], form["width"], 3)
+    [blob] = recording[entity]["EncodedImage:blob"][row][1]
+    with PIL.Image.open(io.BytesIO(bytes(blob))) as image:
+        return np.array(image)
 
 
 def test_loops_are_recorded(tmp_path: Path, scene: cw.Scene) -> None:

@@ -12,23 +12,30 @@ use pyo3::types::PyBytes;
 use crate::watched::{detached, interruptible};
 use crate::{arrays, errors};
 
-/// The bytes of a PNG file: a photograph, or for what has a sign false colours, blue below
-/// zero and red above.
+/// The bytes of a PNG file: a photograph, or with a limit false colours, from blue at minus the limit to
+/// red at the limit.
 #[pyfunction]
 pub fn png<'py>(
     py: Python<'py>,
     image: PyReadonlyArrayDyn<'py, f64>,
-    signed: bool,
+    limit: Option<f64>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let image = arrays::to_image("the image", &image)?;
-    let style = match signed {
+    let style = match limit {
         // The bar beside it is even.
-        true => Style::Diverging(Scale::even(Scale::of([&image]).limit)),
-        false => Style::Photographic { exposure: 0.0 },
+        Some(limit) => Style::Diverging(Scale::even(limit)),
+        None => Style::Photographic { exposure: 0.0 },
     };
     let bytes = detached(py, || pixels_as_png(&image, style))?;
     let bytes = bytes.map_err(|error| errors::exception(py, error))?;
     Ok(PyBytes::new(py, &bytes))
+}
+
+/// The limit of false colours for an image ([`Scale::of`]).
+#[pyfunction]
+pub fn limit(image: PyReadonlyArrayDyn<'_, f64>) -> PyResult<f64> {
+    let image = arrays::to_image("the image", &image)?;
+    Ok(Scale::of([&image]).limit)
 }
 
 /// An image in a file, (height, width, 3).
