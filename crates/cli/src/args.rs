@@ -399,6 +399,9 @@ pub struct Optimize {
     /// Stop after N more iterations; --resume continues from there
     #[arg(long, value_name = "N", value_parser = parse::iterations)]
     pub pause_after: Option<NonZeroU32>,
+    /// Show the run in the viewer of Rerun; needs the Python package with its extra `rerun`
+    #[arg(long)]
+    pub view: bool,
     /// Output folder [default: the job's `output`, or its path with the ending
     /// .out]
     #[arg(short, long, value_name = "FOLDER")]

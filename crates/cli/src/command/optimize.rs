@@ -1,6 +1,7 @@
 //! `capwalk optimize`: which numbers of a scene make its images look like given ones?
 
 mod live;
+mod viewer;
 
 use std::ops::ControlFlow;
 
@@ -15,6 +16,7 @@ use crate::memory::{self, Need};
 use crate::progress::{self, Progress};
 use crate::{console, method, report};
 use live::{Clock, Live};
+use viewer::Viewer;
 
 pub fn run(args: &Optimize) -> Result<Outcome> {
     let job = Job::read(&args.job)?;
@@ -26,6 +28,9 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
     let clock = Clock::new(progress::left_of(limit));
     let output = args.output.as_deref().unwrap_or(job.output());
     check_memory(&job)?;
+    if args.view {
+        Viewer::check()?;
+    }
     let targets = Progress::new("target", clock.remaining());
     let begun = Run::begin(&job, output, args.resume, &targets);
     targets.finish();
@@ -51,6 +56,10 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         ..GradientOptions::default()
     }));
 
+    let viewer = match args.view {
+        true => Some(Viewer::open(output)?),
+        false => None,
+    };
     let mut live = Live::new(run.problem().limits.iterations, first);
     let pause = args
         .pause_after
@@ -79,6 +88,9 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         .map(|file| file.display().to_string())
         .collect();
     report(args, &run, &stop, clock.has_rung(), &files)?;
+    if let Some(Err(error)) = viewer.map(Viewer::finish) {
+        log::warn!("{error:#}");
+    }
     Ok(outcome(&stop))
 }
 

@@ -3,6 +3,8 @@
 mod methods;
 mod resume;
 mod stops;
+#[cfg(unix)]
+mod viewer;
 
 use std::fs;
 use std::path::{Path, PathBuf};
