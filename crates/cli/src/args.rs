@@ -77,7 +77,7 @@ pub enum Command {
     Optimize(Optimize),
     /// Render, differentiate and check the scene lattice-shadow
     ///
-    /// Takes about a minute on two cores. Exit status as for check.
+    /// Takes a quarter of a minute on two cores. Exit status as for check.
     Demo(Demo),
     /// Say which program makes the figures of the paper
     #[command(hide = true, disable_help_flag = true)]
