@@ -162,7 +162,7 @@ pub struct SamplingArgs {
 /// Where results go.
 #[derive(Args, Debug)]
 pub struct OutputArgs {
-    /// Output file: .exr and .npz hold all layers in floating point, .png a
+    /// Output file: .exr and .npz hold all layers in floating point, .png and .svg a
     /// preview; may be repeated or separated by commas
     #[arg(short, long, value_name = "FILE", value_delimiter = ',')]
     pub output: Vec<PathBuf>,
@@ -174,7 +174,7 @@ pub struct OutputArgs {
 /// How numbers of either sign become colours.
 #[derive(Args, Debug)]
 pub struct ColourArgs {
-    /// In PNG files, the number at which the colours of derivatives and differences end on both sides,
+    /// In pictures, the number at which the colours of derivatives and differences end on both sides,
     /// spread evenly: the same for images that are to be compared [default: chosen from the image,
     /// logarithmic where silhouettes are far above the rest]
     #[arg(long, value_name = "X", value_parser = parse::limit)]

@@ -13,7 +13,7 @@ use crate::args::SceneArgs;
 /// Output files of a command, checked.
 pub struct Files {
     paths: Vec<PathBuf>,
-    /// How PNG files look.
+    /// How pictures look.
     preview: Preview,
 }
 
@@ -73,14 +73,11 @@ impl Files {
         refuse_repeated(paths)
     }
 
-    /// Writes the image into all files, PNG files as these panels if there
+    /// Writes the image into all files, pictures as these panels if there
     /// are any. Returns the files' names.
     pub fn write(&self, layered: &LayeredImage, panels: &[Panel]) -> Result<Vec<String>> {
         for path in &self.paths {
-            let is_png = path
-                .extension()
-                .is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-            if is_png && !panels.is_empty() {
+            if image::is_picture(path) && !panels.is_empty() {
                 image::write_panels(path, panels, &layered.metadata)?;
             } else {
                 image::write(path, layered, &self.preview)?;

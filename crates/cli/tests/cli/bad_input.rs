@@ -246,7 +246,7 @@ fn unwritable_outputs() {
 #[test]
 fn unknown_image_format() {
     let message = Capwalk::new("format").error("render leaf -o image.bmp");
-    assert_has(&message, &["image.bmp", ".exr, .png, .npz"]);
+    assert_has(&message, &["image.bmp", ".exr, .npz, .png, .svg"]);
 }
 
 #[test]

@@ -6,14 +6,17 @@ use embedded_graphics::Drawable;
 use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_10X20};
-use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
+use embedded_graphics::mono_font::MonoTextStyle;
+use embedded_graphics::mono_font::iso_8859_1::FONT_10X20;
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::{Primitive, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::{Baseline, Text};
 
+use super::png;
+use super::surface::Surface;
+
 /// The colour of text and frames.
-const INK: Rgb888 = Rgb888::new(40, 40, 40);
+pub(super) const INK: [u8; 3] = [40, 40, 40];
 
 /// An image in sRGB, row by row from the upper left.
 pub(super) struct Canvas {
@@ -24,33 +27,41 @@ pub(super) struct Canvas {
 
 impl Canvas {
     /// A white canvas.
-    pub fn new(width: usize, height: usize) -> Self {
+    pub fn new([width, height]: [usize; 2]) -> Self {
         Self {
             width,
             height,
             pixels: vec![[255; 3]; width * height],
         }
     }
+}
 
-    /// Fills a rectangle.
-    pub fn fill(&mut self, corner: [usize; 2], size: [usize; 2], [r, g, b]: [u8; 3]) {
-        let style = PrimitiveStyle::with_fill(Rgb888::new(r, g, b));
-        let Ok(()) = rectangle(corner, size).into_styled(style).draw(self);
+impl Surface for Canvas {
+    fn image(&mut self, [left, top]: [usize; 2], zoom: [usize; 2], image: &Canvas) {
+        for (row, pixels) in image.pixels.chunks(image.width.max(1)).enumerate() {
+            for (column, &pixel) in pixels.iter().enumerate() {
+                let corner = [left + column * zoom[0], top + row * zoom[1]];
+                let style = PrimitiveStyle::with_fill(colour(pixel));
+                let Ok(()) = rectangle(corner, zoom).into_styled(style).draw(self);
+            }
+        }
     }
 
-    /// Draws a line of one pixel around a rectangle.
-    pub fn frame(&mut self, corner: [usize; 2], size: [usize; 2]) {
+    fn frame(&mut self, corner: [usize; 2], size: [usize; 2]) {
         let outside = rectangle(corner, size).offset(1);
-        let style = PrimitiveStyle::with_stroke(INK, 1);
+        let style = PrimitiveStyle::with_stroke(colour(INK), 1);
         let Ok(()) = outside.into_styled(style).draw(self);
     }
 
-    /// Writes one line of text with its upper left corner at a point. A letter
-    /// that is not in Latin-1 becomes a question mark.
-    pub fn text(&mut self, corner: [usize; 2], scale: usize, text: &str) {
-        let style = MonoTextStyle::new(font(scale), INK);
+    /// A letter that is not in Latin-1 becomes a question mark.
+    fn text(&mut self, corner: [usize; 2], text: &str) {
+        let style = MonoTextStyle::new(&FONT_10X20, colour(INK));
         let text = Text::with_baseline(text, point(corner), style, Baseline::Top);
         let Ok(_) = text.draw(self);
+    }
+
+    fn encode(self: Box<Self>, metadata: &[(String, String)]) -> Result<Vec<u8>, String> {
+        png::encode(&self, metadata)
     }
 }
 
@@ -80,18 +91,8 @@ impl DrawTarget for Canvas {
     }
 }
 
-/// A small font for scale 1, a larger one for all others.
-fn font(scale: usize) -> &'static MonoFont<'static> {
-    match scale {
-        1 => &FONT_6X10,
-        _ => &FONT_10X20,
-    }
-}
-
-/// Width and height of a line of text, pixels.
-pub(super) fn text_size(text: &str, scale: usize) -> [usize; 2] {
-    let Size { width, height } = font(scale).character_size;
-    [text.chars().count() * width as usize, height as usize]
+fn colour([r, g, b]: [u8; 3]) -> Rgb888 {
+    Rgb888::new(r, g, b)
 }
 
 fn point([x, y]: [usize; 2]) -> Point {

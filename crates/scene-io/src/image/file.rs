@@ -35,9 +35,9 @@ pub fn write(
         .size()
         .map_err(|reason| ImageError::write(path, reason))?;
     let encoded = match format {
-        Format::Png => return panel::write_preview(path, layered, preview),
         Format::Exr => exr::encode(layered, size),
         Format::Npz => npz_file::encode(layered, size),
+        Format::Picture(kind) => return panel::write_preview(path, kind, layered, preview),
     };
     save(
         path,
@@ -79,7 +79,7 @@ impl ImageFile {
         let layers = match format {
             Format::Exr => source().and_then(ExrFile::open).map(Layers::Exr),
             Format::Npz => source().and_then(NpzFile::open).map(Layers::Npz),
-            Format::Png => {
+            Format::Picture(_) => {
                 return Err(ImageError::UnknownEnding {
                     path: path.to_owned(),
                     known: READABLE,

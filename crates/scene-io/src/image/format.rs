@@ -7,19 +7,27 @@ use super::error::ImageError;
 use crate::atomic;
 
 /// Formats, by the endings of names.
-#[derive(Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub(super) enum Format {
     Exr,
-    Png,
     Npz,
+    Picture(Picture),
+}
+
+/// Formats of pictures to look at, which cannot be read back.
+#[derive(Clone, Copy)]
+pub(super) enum Picture {
+    Png,
+    Svg,
 }
 
 pub(super) fn format(path: &Path, known: &'static str) -> Result<Format, ImageError> {
     let ending = path.extension().unwrap_or_default().to_string_lossy();
     match ending.to_ascii_lowercase().as_str() {
         "exr" => Ok(Format::Exr),
-        "png" => Ok(Format::Png),
         "npz" => Ok(Format::Npz),
+        "png" => Ok(Format::Picture(Picture::Png)),
+        "svg" => Ok(Format::Picture(Picture::Svg)),
         _ => Err(ImageError::UnknownEnding {
             path: path.to_owned(),
             known,
@@ -28,7 +36,9 @@ pub(super) fn format(path: &Path, known: &'static str) -> Result<Format, ImageEr
 }
 
 /// Endings of files that can be written.
-pub(super) const WRITABLE: &str = ".exr, .png, .npz";
+pub(super) const WRITABLE: &str = ".exr, .npz, .png, .svg";
+/// Endings of pictures.
+pub(super) const PICTURES: &str = ".png, .svg";
 /// Endings of files that can be read.
 pub(super) const READABLE: &str = ".exr, .npz";
 
@@ -36,4 +46,9 @@ pub(super) const READABLE: &str = ".exr, .npz";
 pub(super) fn save(path: &Path, bytes: &[u8]) -> Result<(), ImageError> {
     atomic::write_atomically(path, |file| file.write_all(bytes))
         .map_err(|error| ImageError::write(path, error))
+}
+
+/// True for the name of a picture to look at: `.png` or `.svg`.
+pub fn is_picture(path: &Path) -> bool {
+    matches!(format(path, PICTURES), Ok(Format::Picture(_)))
 }

@@ -5,10 +5,11 @@ use std::path::Path;
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
-use super::canvas::{Canvas, text_size};
+use super::canvas::Canvas;
 use super::error::ImageError;
-use super::format::{Format, format, save};
+use super::format::{Format, PICTURES, Picture, format, save};
 use super::layered::{GRADIENT, LayeredImage, VALUE};
+use super::surface::{LETTER, Surface, surface, text_width};
 use super::tone::Scale;
 use super::{png, tone};
 
@@ -64,7 +65,7 @@ pub struct Written {
     pub limit: Option<f64>,
 }
 
-/// Writes images side by side into a PNG file, and returns how many of their
+/// Writes images side by side into a PNG or SVG file, and returns how many of their
 /// pixels are infinite or NaN (those are magenta). For a check: value,
 /// gradient and reference with the same limit, and z.
 pub fn write_panels(
@@ -72,19 +73,18 @@ pub fn write_panels(
     panels: &[Panel],
     metadata: &[(String, String)],
 ) -> Result<usize, ImageError> {
-    let known = ".png";
-    if format(path, known)? != Format::Png {
+    let Format::Picture(kind) = format(path, PICTURES)? else {
         return Err(ImageError::UnknownEnding {
             path: path.to_owned(),
-            known,
+            known: PICTURES,
         });
-    }
+    };
     for panel in panels {
         if let Style::Diverging(scale) = panel.style {
             check_limit(path, scale.limit)?;
         }
     }
-    save_canvas(path, &draw(panels), metadata)?;
+    save_picture(path, draw(kind, panels), metadata)?;
     let images = panels.iter().map(|panel| panel.image);
     Ok(images.map(tone::non_finite_pixels).sum())
 }
@@ -95,13 +95,7 @@ pub fn pixels_as_png(image: &Image, style: Style) -> Result<Vec<u8>, ImageError>
     if let Style::Diverging(scale) = style {
         check_limit(path, scale.limit)?;
     }
-    let pixels = image.pixels.iter().map(|&pixel| style.colour(pixel));
-    let canvas = Canvas {
-        width: image.width,
-        height: image.height,
-        pixels: pixels.collect(),
-    };
-    png::encode(&canvas, &[]).map_err(|reason| ImageError::write(path, reason))
+    png::encode(&coloured(image, style), &[]).map_err(|reason| ImageError::write(path, reason))
 }
 
 /// The colours of [`Style::Diverging`] from its negative limit, at the left, to
@@ -120,7 +114,7 @@ pub fn colour_bar_as_png() -> Result<Vec<u8>, ImageError> {
 
 impl Style {
     /// The colour of a pixel on a screen.
-    fn colour(self, pixel: Rgb) -> [u8; 3] {
+    pub(super) fn colour(self, pixel: Rgb) -> [u8; 3] {
         match self {
             Self::Photographic { exposure } => tone::photographic(pixel, exposure.exp2()),
             Self::Diverging(scale) => tone::diverging(scale.place(tone::mean(pixel))),
@@ -132,6 +126,7 @@ impl Style {
 /// else the first.
 pub(super) fn write_preview(
     path: &Path,
+    kind: Picture,
     layered: &LayeredImage,
     preview: &Preview,
 ) -> Result<Written, ImageError> {
@@ -141,8 +136,8 @@ pub(super) fn write_preview(
     let name = name.unwrap_or(&first.name);
     let image = layered.layer(name).unwrap_or(&first.image);
     let mut limit = None;
-    let canvas = if name == VALUE {
-        photograph(image, preview.exposure)
+    let picture = if name == VALUE {
+        photograph(kind, image, preview.exposure)
     } else {
         let scale = preview.scale([image]);
         check_limit(path, scale.limit)?;
@@ -160,9 +155,9 @@ pub(super) fn write_preview(
                 exposure: preview.exposure,
             },
         });
-        draw(&value.into_iter().chain([shown]).collect::<Vec<_>>())
+        draw(kind, &value.into_iter().chain([shown]).collect::<Vec<_>>())
     };
-    save_canvas(path, &canvas, &layered.metadata)?;
+    save_picture(path, picture, &layered.metadata)?;
     Ok(Written {
         non_finite_pixels: tone::non_finite_pixels(image),
         limit,
@@ -194,23 +189,30 @@ fn check_limit(path: &Path, limit: f64) -> Result<(), ImageError> {
     }
 }
 
-fn save_canvas(
+fn save_picture(
     path: &Path,
-    canvas: &Canvas,
+    picture: Box<dyn Surface>,
     metadata: &[(String, String)],
 ) -> Result<(), ImageError> {
-    let bytes = png::encode(canvas, metadata).map_err(|reason| ImageError::write(path, reason))?;
+    let bytes = picture.encode(metadata);
+    let bytes = bytes.map_err(|reason| ImageError::write(path, reason))?;
     save(path, &bytes)
 }
 
 /// The pixels as they are, without decoration.
-fn photograph(image: &Image, exposure: f64) -> Canvas {
-    let scale = exposure.exp2();
-    let pixels = image.pixels.iter();
+fn photograph(kind: Picture, image: &Image, exposure: f64) -> Box<dyn Surface> {
+    let pixels = coloured(image, Style::Photographic { exposure });
+    let mut surface = surface(kind, [image.width, image.height]);
+    surface.image([0, 0], [1, 1], &pixels);
+    surface
+}
+
+/// An image in the colours of a screen.
+fn coloured(image: &Image, style: Style) -> Canvas {
     Canvas {
         width: image.width,
         height: image.height,
-        pixels: pixels.map(|&p| tone::photographic(p, scale)).collect(),
+        pixels: image.pixels.iter().map(|&p| style.colour(p)).collect(),
     }
 }
 
@@ -236,7 +238,7 @@ struct Layout {
     ticks: Vec<(String, f64)>,
 }
 
-fn draw(panels: &[Panel]) -> Canvas {
+fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Surface> {
     let tallest = panels.iter().map(|p| p.image.height).max().unwrap_or(0);
     // Text that can be read in a talk, and beside large images.
     let scale = (tallest / 400 + 2).min(4);
@@ -254,14 +256,14 @@ fn draw(panels: &[Panel]) -> Canvas {
                 ticks.map(|value| (label(value), place(value))).collect()
             }
         };
-        let labels = ticks.iter().map(|(t, _)| text_size(t, scale)[0]).max();
+        let labels = ticks.iter().map(|(t, _)| text_width(t)).max();
         let bar = labels.map_or(0, |width| (2 * GAP + BAR) * scale + width);
         let title = match tone::non_finite_pixels(panel.image) {
             0 => panel.title.to_owned(),
             // A magenta pixel alone is easily overlooked.
             count => format!("{} ({count} not finite)", panel.title),
         };
-        let title_width = text_size(&title, scale)[0];
+        let title_width = text_width(&title);
         layouts.push(Layout {
             title,
             left,
@@ -272,43 +274,39 @@ fn draw(panels: &[Panel]) -> Canvas {
         left += (size[0] + bar).max(title_width) + 2 * GAP * scale;
     }
     let bottom = layouts.iter().map(|l| l.size[1]).max().unwrap_or(0) + top + GAP * scale;
-    let mut canvas = Canvas::new(left.saturating_sub(GAP * scale), bottom);
+    let mut surface = surface(kind, [left.saturating_sub(GAP * scale), bottom]);
     for (panel, layout) in panels.iter().zip(&layouts) {
-        canvas.text([layout.left, GAP * scale / 2], scale, &layout.title);
-        draw_pixels(&mut canvas, panel, layout, top);
+        let corner = [layout.left, top];
+        surface.text([layout.left, GAP * scale / 2], &layout.title);
+        surface.frame(corner, layout.size);
+        surface.image(
+            corner,
+            [layout.zoom; 2],
+            &coloured(panel.image, panel.style),
+        );
         if let Style::Diverging(_) = panel.style {
-            draw_bar(&mut canvas, layout, top, scale);
+            draw_bar(&mut *surface, layout, top, scale);
         }
     }
-    canvas
+    surface
 }
 
-fn draw_pixels(canvas: &mut Canvas, panel: &Panel, layout: &Layout, top: usize) {
-    canvas.frame([layout.left, top], layout.size);
-    for y in 0..panel.image.height {
-        for x in 0..panel.image.width {
-            let pixel = panel.image.at(x, y);
-            let corner = [layout.left + x * layout.zoom, top + y * layout.zoom];
-            canvas.fill(corner, [layout.zoom; 2], panel.style.colour(pixel));
-        }
-    }
-}
-
-fn draw_bar(canvas: &mut Canvas, layout: &Layout, top: usize, scale: usize) {
+fn draw_bar(surface: &mut dyn Surface, layout: &Layout, top: usize, scale: usize) {
     let height = layout.size[1];
     let left = layout.left + layout.size[0] + GAP * scale;
-    canvas.frame([left, top], [BAR * scale, height]);
-    for row in 0..height {
-        // The middle of the row, from 1 at the top to -1 at the bottom.
-        let value = 1.0 - (2 * row + 1) as f64 / height as f64;
-        let corner = [left, top + row];
-        canvas.fill(corner, [BAR * scale, 1], tone::diverging(value));
-    }
+    // The middle of each row, from 1 at the top to -1 at the bottom.
+    let rows = (0..height).map(|row| 1.0 - (2 * row + 1) as f64 / height as f64);
+    let bar = Canvas {
+        width: 1,
+        height,
+        pixels: rows.map(tone::diverging).collect(),
+    };
+    surface.frame([left, top], [BAR * scale, height]);
+    surface.image([left, top], [BAR * scale, 1], &bar);
     for (tick, place) in &layout.ticks {
         // The first and the last stay within the bar.
-        let [_, text_height] = text_size(tick, scale);
-        let y = (height.saturating_sub(text_height) as f64 * place).round() as usize;
-        canvas.text([left + (BAR + GAP / 2) * scale, top + y], scale, tick);
+        let y = (height.saturating_sub(LETTER[1]) as f64 * place).round() as usize;
+        surface.text([left + (BAR + GAP / 2) * scale, top + y], tick);
     }
 }
 

@@ -1,4 +1,6 @@
 use super::*;
+use base64::Engine;
+use base64::prelude::BASE64_STANDARD;
 use capwalk_math::Rgb;
 use capwalk_scene::Image;
 use std::path::{Path, PathBuf};
@@ -109,8 +111,14 @@ fn png_shows_the_gradient_or_else_the_value() {
 }
 
 fn decode_png(path: &Path) -> (u32, u32, Vec<u8>) {
-    let file = std::io::BufReader::new(std::fs::File::open(path).expect("readable"));
-    let mut reader = ::png::Decoder::new(file).read_info().expect("a PNG");
+    decode(std::fs::File::open(path).expect("readable"))
+}
+
+fn decode(file: impl std::io::Read) -> (u32, u32, Vec<u8>) {
+    let bytes: Vec<u8> = file.bytes().collect::<Result<_, _>>().expect("readable");
+    let mut reader = ::png::Decoder::new(std::io::Cursor::new(bytes))
+        .read_info()
+        .expect("a PNG");
     let mut pixels = vec![0; reader.output_buffer_size().expect("small")];
     let info = reader.next_frame(&mut pixels).expect("a PNG");
     (info.width, info.height, pixels)
@@ -148,7 +156,52 @@ fn panels_show_non_finite_pixels() {
     let zoom = 384_usize.div_ceil(7);
     assert_eq!(magenta, zoom * zoom);
     let wrong = write_panels(Path::new("panels.exr"), &panels, &[]).expect_err("not a PNG");
-    assert!(wrong.to_string().contains("known endings: .png"));
+    assert!(wrong.to_string().contains("known endings: .png, .svg"));
+}
+
+/// Of an SVG file the images have the colours of the PNG file, one pixel each, and titles are text.
+#[test]
+fn svg_holds_images_and_type() {
+    let file = Temporary::new("preview.svg");
+    let mut layered = example();
+    let parameter = "a<b>&\u{1}.translate.x".to_owned();
+    layered.metadata.insert(0, ("parameter".into(), parameter));
+    let written = write(&file.0, &layered, &Preview::default()).expect("writable");
+    let text = std::fs::read_to_string(&file.0).expect("readable");
+    let svg = roxmltree::Document::parse(&text).expect("XML");
+    let elements = |name: &'static str| svg.descendants().filter(move |n| n.has_tag_name(name));
+    let lines: Vec<_> = elements("text").filter_map(|n| n.text()).collect();
+    assert_eq!(
+        lines[..2],
+        [VALUE, "gradient per unit of a<b>&.translate.x"]
+    );
+    let limit = written.limit.expect("a gradient");
+    let first: f64 = lines[2].parse().expect("the bar's upper end");
+    assert!((first / limit - 1.0).abs() < 0.01, "{first} {limit}");
+
+    let images: Vec<_> = elements("image").collect();
+    assert_eq!(images.len(), 3); // the last one is the bar
+    let scale = Scale::of([&layered.layers[1].image]);
+    let styles = [
+        Style::Photographic { exposure: 0.0 },
+        Style::Diverging(scale),
+    ];
+    for ((element, style), layer) in images.iter().zip(styles).zip(&layered.layers) {
+        let link = element.attribute(("http://www.w3.org/1999/xlink", "href"));
+        let data = link.and_then(|link| link.strip_prefix("data:image/png;base64,"));
+        let bytes = BASE64_STANDARD.decode(data.expect("data")).expect("Base64");
+        let (width, height, pixels) = decode(&bytes[..]);
+        assert_eq!((width, height), (7, 5));
+        let colours: Vec<u8> = layer
+            .image
+            .pixels
+            .iter()
+            .flat_map(|&p| style.colour(p))
+            .collect();
+        assert_eq!(pixels, colours);
+        assert_eq!(element.attribute("width"), Some("385"));
+    }
+    assert!(read(&file.0).is_err());
 }
 
 #[test]
@@ -158,7 +211,10 @@ fn errors_say_what_to_do() {
     let options = Preview::default();
     for name in ["out.jpg", "out", "out.exr.gz"] {
         let text = message(write(Path::new(name), &layered, &options));
-        assert!(text.contains("known endings: .exr, .png, .npz"), "{text}");
+        assert!(
+            text.contains("known endings: .exr, .npz, .png, .svg"),
+            "{text}"
+        );
         assert!(check_writable(Path::new(name)).is_err());
     }
     let nowhere = Path::new("/nonexistent/directory/out.exr");
