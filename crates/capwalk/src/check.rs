@@ -4,6 +4,8 @@
 mod tests;
 mod words;
 
+use std::cmp::Ordering;
+
 use capwalk_diff::GradientImage;
 use capwalk_diff::check::{
     Comparison, Verdict, compare, compare_with_differences, without_rounding,
@@ -171,8 +173,8 @@ pub struct Check {
     /// How the reference was made.
     pub made: Reference,
     /// How many references were made: 2 if the first contradicted the gradient or left a doubt of
-    /// it, up to 4 if they contradicted each other as well; one more if all of them and a second
-    /// gradient called it wrong. This is the one that decided.
+    /// it, up to 4 if they contradicted each other as well; one or two more if all of them and a
+    /// second gradient called it wrong. This is the one that decided.
     pub references: u32,
     /// Samples of all of them.
     pub reference_samples: u64,
@@ -362,25 +364,36 @@ impl Check {
         }
     }
 
-    /// How to make the reference that the second gradient is compared with, if that is contradicted
-    /// as well: with more samples than all before, other random numbers, and a smaller step if it is
-    /// up to us. The references before were looked at until they agreed, and may all have met too few
-    /// rare events, or edges that lie closer to the borders of pixels than their steps.
-    pub(crate) fn confirmation(&self) -> Option<Reference> {
-        matches!(&self.comparison.verdict, Verdict::Wrong { .. }).then(|| Reference {
+    /// How to make the references that the second gradient is compared with, if that is contradicted
+    /// as well: with more samples than all before and other random numbers. The references before
+    /// were looked at until they agreed. Edges may lie closer to the borders of pixels than the steps
+    /// of all of them, which a smaller step shows. Or all met too few rare events: where steps get
+    /// smaller as samples get more, no one of them meets more than the others. A larger step does.
+    pub(crate) fn confirmations(&self) -> Vec<Reference> {
+        let Reference { step, .. } = self.made;
+        let steps = match (&self.comparison.verdict, self.made.fits_scene) {
+            (Verdict::Wrong { .. }, true) => {
+                vec![self.made.smaller_step(), step * f64::from(SECOND_FACTOR)]
+            }
+            (Verdict::Wrong { .. }, false) => vec![step],
+            _ => Vec::new(),
+        };
+        let seed = self.made.seed ^ CONFIRMATION_SEED;
+        let of_step = |(i, step)| Reference {
             spp: self.made.spp.saturating_mul(SECOND_FACTOR),
             fits_noise: false,
-            seed: self.made.seed ^ CONFIRMATION_SEED,
-            step: self.made.smaller_step(),
+            seed: seed.rotate_left(i),
+            step,
             ..self.made
-        })
+        };
+        (0..).zip(steps).map(of_step).collect()
     }
 
     /// What remains of a contradiction beside a second gradient and a reference of its own: these
     /// share no random number with all before, and must call the gradient wrong by themselves.
     pub(crate) fn with_confirmation(
         self,
-        gradient: GradientImage,
+        gradient: &GradientImage,
         (made, image): (Reference, GradientImage),
     ) -> Self {
         let samples = self.reference_samples + image.statistics.samples;
@@ -392,13 +405,14 @@ impl Check {
         if !image.statistics.complete {
             return counted.unconfirmed();
         }
-        let again = Self::new(gradient, (made, image), Vec::new());
+        let again = Self::new(gradient.clone(), (made, image), Vec::new());
         match &again.comparison.verdict {
             Verdict::Wrong { .. } => counted,
             _ => {
-                let step = match counted.made.fits_scene {
-                    true => " over a smaller step",
-                    false => "",
+                let step = match again.made.step.total_cmp(&counted.made.step) {
+                    Ordering::Less => " over a smaller step",
+                    Ordering::Equal => "",
+                    Ordering::Greater => " over a larger step",
                 };
                 let without = format!("a second gradient and another reference{step} do");
                 counted.not_confirmed(&again, &without)

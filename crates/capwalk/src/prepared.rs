@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
+use capwalk_diff::check::Verdict;
 use capwalk_diff::{
     Chosen, Device, Differences, GradientImage, GradientOptions, GradientWork, KeptChoice,
     PreparedScene, Refusal, RenderOptions, RenderWork, Rendering, Watch,
@@ -286,7 +287,7 @@ impl Prepared {
     /// decide, with more samples, and over a part of the step unless one was asked for. A gradient is
     /// called wrong only by two references that do not contradict each other. Its errors may be too
     /// small, too: it is called wrong only if another estimate of it, with more samples, is
-    /// contradicted as well, and called wrong beside a reference of its own.
+    /// contradicted as well, and called wrong beside references of its own.
     ///
     /// [`Error::Stopped`] if `watch` stopped either before its first sample.
     pub fn checked(
@@ -343,12 +344,15 @@ impl Prepared {
             return Ok(check);
         };
         let second = again(&more)?;
-        let check = check.with_second_gradient(&second);
-        let Some(confirmation) = check.confirmation() else {
-            return Ok(check);
-        };
-        let made = self.reference(&second, tangent, confirmation, watch)?;
-        Ok(check.with_confirmation(second, made))
+        let mut check = check.with_second_gradient(&second);
+        for confirmation in check.confirmations() {
+            let made = self.reference(&second, tangent, confirmation, watch)?;
+            check = check.with_confirmation(&second, made);
+            if !matches!(check.comparison.verdict, Verdict::Wrong { .. }) {
+                break;
+            }
+        }
+        Ok(check)
     }
 
     /// A reference, and how it was made: with as many samples as fit the noise of both, unless so

@@ -163,15 +163,30 @@ fn the_second_reference_decides() {
         verdict => panic!("{verdict:?}"),
     }
     // A second gradient and a reference of its own must call it wrong by themselves.
-    let made = both().confirmation().expect("it is wrong");
-    assert_eq!((made.step, made.spp), (0.000625, 16000));
-    let confirmed = |gradient: GradientImage, image: &GradientImage| {
-        both().with_confirmation(gradient, (made, image.clone()))
+    let [smaller, larger] = both().confirmations()[..] else {
+        panic!("it is wrong")
     };
-    let check = confirmed(waves(8, 1.0, 0.0, 0.1), &waves(9, 1.3, 0.0, 0.1));
+    assert_eq!((smaller.step, smaller.spp), (0.000625, 16000));
+    assert_eq!((larger.step, larger.spp), (0.01, 16000));
+    assert_ne!(smaller.seed, larger.seed);
+    let own = Reference {
+        fits_scene: false,
+        ..MADE
+    };
+    let own = checked_twice(own, &wrong, &waves(5, 1.3, 0.0, 0.1)).confirmations();
+    assert_eq!((own.len(), own[0].step), (1, MADE.step));
+    let gradient = waves(8, 1.0, 0.0, 0.1);
+    let confirmed = |image: &GradientImage| {
+        let check = both().with_confirmation(&gradient, (smaller, image.clone()));
+        check.with_confirmation(&gradient, (larger, waves(10, 1.3, 0.0, 0.1)))
+    };
+    let check = confirmed(&waves(9, 1.3, 0.0, 0.1));
     assert!(matches!(&check.comparison.verdict, Verdict::Wrong { .. }));
-    assert_eq!((check.references, check.made.step), (3, 0.0025));
-    assert_eq!(check.reference_samples, 3 * right.statistics.samples);
+    assert_eq!((check.references, check.made.step), (4, 0.0025));
+    assert_eq!(check.reference_samples, 4 * right.statistics.samples);
+    let check = both().with_confirmation(&gradient, (larger, right.clone()));
+    let text = check.verdict(|_, _| String::new());
+    assert!(text.contains("over a larger step do not confirm"), "{text}");
     for (image, words) in [
         (
             &right,
@@ -183,13 +198,13 @@ fn the_second_reference_decides() {
         ),
         (&cut, "no time"),
     ] {
-        let check = confirmed(waves(8, 1.0, 0.0, 0.1), image);
+        let check = confirmed(image);
         let text = check.verdict(|_, _| String::new());
         assert!(
             text.starts_with("inconclusive") && text.contains(words),
             "{text}"
         );
-        assert!(check.confirmation().is_none());
+        assert!(check.confirmations().is_empty());
     }
     // Both are counted.
     let twice = checked_twice(MADE, &wrong, &right);
