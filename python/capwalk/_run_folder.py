@@ -30,9 +30,9 @@ class RunFolder:
     """What an optimisation has written so far, each thing once."""
 
     path: Path
-    _header: list[str] = field(default_factory=list)
-    _position: int = 0
-    """In ``record.csv``, bytes. A run that is resumed writes the same bytes again."""
+    _lines: list[bytes] = field(default_factory=list)
+    """Of ``record.csv``. A run that is resumed writes the same lines again, but for the last one, which
+    gets a step."""
     _pictures: set[Path] = field(default_factory=set)
 
     @property
@@ -49,18 +49,17 @@ class RunFolder:
         """The rows that were written since the last call, by column, without empty cells."""
         if not self.record.exists():
             return
-        with self.record.open("rb") as file:
-            file.seek(self._position)
-            text = file.read()
         # A line that is just being written is for the next time.
-        text = text[: text.rfind(b"\n") + 1]
-        self._position += len(text)
-        for row in csv.reader(text.decode("utf-8").splitlines()):
-            if self._header:
-                cells = zip(self._header, row, strict=True)
+        *lines, _ = self.record.read_bytes().split(b"\n")
+        old, self._lines[: len(lines)] = self._lines[:], lines
+        was = [*old, *[b""] * len(lines)]
+        table = csv.reader(line.decode("utf-8") for line in lines)
+        for i, row in enumerate(table):
+            if i == 0:
+                header = row
+            elif lines[i] != was[i]:
+                cells = zip(header, row, strict=True)
                 yield {name: float(cell) for name, cell in cells if cell}
-            else:
-                self._header = row
 
     def new_pictures(self) -> Iterator[tuple[int, str, Path]]:
         """The pictures that were drawn since the last call, with their iterations and views ("" if there

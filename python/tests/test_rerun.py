@@ -210,6 +210,21 @@ def test_jobs_are_followed(tmp_path: Path) -> None:
     assert all(curve(later, path) == curve(recording, path) for path in recording if "/loss" in path)
 
 
+def test_runs_that_go_on_are_logged_once_more(tmp_path: Path) -> None:
+    """What is new, and the row that was the last one, which has a step now."""
+    job, folder = tmp_path / "job.toml", tmp_path / "results"
+    job.write_text(JOB)
+    with Log.save(tmp_path / "run.rrd") as log:
+        cw.optimize(job, folder)
+        log.run(folder)
+        job.write_text(JOB.replace("iterations = 4", "iterations = 6"))
+        cw.optimize(job, folder, resume=True)
+        log.run(folder)
+    recording = read(tmp_path / "run.rrd")
+    assert [i for i, _ in curve(recording, "/loss/loss")] == [0, 1, 2, 3, 4, 4, 5, 6]
+    assert [i for i, _ in curve(recording, "/gradients/all")] == list(range(6))
+
+
 def test_mistakes_are_errors(tmp_path: Path, scene: cw.Scene) -> None:
     with Log.save(tmp_path / "run.rrd") as log:
         with pytest.raises(cw.ArgumentError, match="the shape .18, 24.; expected"):
