@@ -3,9 +3,16 @@
 from __future__ import annotations
 
 import csv
+import sys
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
+
+if sys.platform == "win32":
+    import msvcrt
+else:
+    import fcntl
 
 COLUMNS = (
     "iteration",
@@ -23,6 +30,13 @@ COLUMNS = (
     "spp_grad",
 )
 """Of ``record.csv``. Those of views and parameters follow."""
+
+OFTEN = 0.5
+"""How long to wait before a folder is read again, seconds."""
+
+BEGINS_WITHIN = 60.0
+"""How long to wait for a run that has not begun, seconds. It loads its scenes before it takes its
+folder."""
 
 
 @dataclass
@@ -44,6 +58,36 @@ class RunFolder:
     def scene(self) -> Path:
         """The result, which is there when the run has ended."""
         return self.path / "scene.xml"
+
+    def is_written(self) -> bool:
+        """True while a process writes there: it holds a lock, which the system releases when the process
+        ends, however it ends."""
+        try:
+            with (self.path / ".lock").open("rb") as file:
+                if sys.platform == "win32":
+                    msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+                    msvcrt.locking(file.fileno(), msvcrt.LK_UNLCK, 1)
+                else:
+                    fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return True
+        except OSError as error:
+            # Otherwise no run was there, or the file system has no locks.
+            return sys.platform == "win32" and isinstance(error, PermissionError)
+        return False
+
+    def until_it_ends(self) -> Iterator[None]:
+        """Comes back whenever there may be something new, and a last time when the run has ended, or
+        when none has begun within a minute."""
+        given_up = time.monotonic() + BEGINS_WITHIN
+        has_begun, goes_on = False, True
+        while goes_on:
+            is_written = self.is_written()
+            has_begun |= is_written
+            goes_on = is_written or not (has_begun or time.monotonic() > given_up)
+            yield
+            if goes_on:
+                time.sleep(OFTEN)
 
     def new_rows(self) -> Iterator[dict[str, float]]:
         """The rows that were written since the last call, by column, without empty cells."""

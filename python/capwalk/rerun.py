@@ -24,6 +24,8 @@ cameras, gradients, losses and parameters by iteration. Needs ``rerun-sdk``: ``p
 ...         adam.step(params, grads)
 ...         params.update()
 >>> os.remove("leaf.rrd")
+
+As a command it shows the folder of an optimisation, see ``python -m capwalk.rerun --help``.
 """
 
 from __future__ import annotations
@@ -32,6 +34,7 @@ import copy
 import math
 import os
 import re
+import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
@@ -43,6 +46,8 @@ try:
     import rerun as rr  # type: ignore[import-not-found, unused-ignore]
     import rerun.blueprint as rrb  # type: ignore[import-not-found, unused-ignore]
 except ImportError as error:
+    if __name__ == "__main__":
+        sys.exit("capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'")
     raise ImportError("capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'") from error
 
 from . import _capwalk
@@ -76,6 +81,9 @@ CERTAIN = 2.0
 """How many standard errors the gradient of a vertex is at least, if its arrow has a colour."""
 
 CERTAIN_COLOUR, UNCERTAIN_COLOUR = (255, 90, 0), (130, 130, 130)
+
+FLUSH_LIMIT = 60.0
+"""How long to wait until a viewer has taken everything, seconds."""
 
 MESH_REFLECTANCE = 0.5
 """Of shapes whose BSDF has no reflectance, or is not their own."""
@@ -144,7 +152,8 @@ class Log(Closing):
     def close(self) -> None:
         """Sends what is left, and disconnects from viewer or file."""
         self._lay_out()
-        self.stream.flush()
+        # Without a limit it may wait forever for a viewer that is gone.
+        self.stream.flush(timeout_sec=FLUSH_LIMIT)
         self.stream.disconnect()
 
     def iteration(self, number: int) -> None:
@@ -281,15 +290,22 @@ class Log(Closing):
         run = self._run(folder)
         return lambda done, total: self._log_new(run)
 
-    def run(self, folder: str | os.PathLike[str]) -> None:
+    def run(self, folder: str | os.PathLike[str], *, follow: bool = False) -> None:
         """Logs what an optimisation by :func:`capwalk.optimize` or ``capwalk optimize`` has written
         into its folder so far, without what was logged before: of ``record.csv`` losses, lengths of
         the gradient, parameters of up to four numbers and samples per pixel; the pictures in
         ``images``; and the scene that was found, if the run has ended.
 
+        :param follow: go on while another process writes there, twice a second, and return when it
+            has ended, by itself or because it was killed. If none writes there yet, wait for up to a
+            minute until one begins.
         :raises FileNotFoundError: there is no run in this folder.
         """
         run = self._run(folder)
+        if follow:
+            for _ in run.until_it_ends():
+                self._log_new(run)
+                self._lay_out()
         if not run.record.exists():
             raise FileNotFoundError(
                 f"there is no {run.record}; expected the folder of an optimisation"
@@ -476,3 +492,9 @@ def _unit(vectors: Array) -> Array:
 def _srgb(linear: Array) -> Array:
     """Linear colours from 0 to 1 as sRGB (IEC 61966-2-1)."""
     return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+
+
+if __name__ == "__main__":
+    from ._rerun_command import main
+
+    sys.exit(main())

@@ -5,6 +5,8 @@ from __future__ import annotations
 import io
 import subprocess
 import sys
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,8 @@ from test_jobs import JOB
 rr = pytest.importorskip("rerun")
 chunk = pytest.importorskip("rerun.chunk", reason="this rerun-sdk reads no recordings")
 
+from capwalk import _run_folder  # noqa: E402
+from capwalk._rerun_command import main  # noqa: E402
 from capwalk.rerun import Log  # noqa: E402
 
 NAME = "box.positions"
@@ -225,6 +229,92 @@ def test_runs_that_go_on_are_logged_once_more(tmp_path: Path) -> None:
     assert [i for i, _ in curve(recording, "/gradients/all")] == list(range(6))
 
 
+def followed(folder: Path, work: Callable[[], Any], monkeypatch: pytest.MonkeyPatch) -> Any:
+    """The recording of what the command shows while something is done."""
+    monkeypatch.setattr(_run_folder, "OFTEN", 0.01)
+    # Should it begin and end before the folder is read first.
+    monkeypatch.setattr(_run_folder, "BEGINS_WITHIN", 5.0)
+    file = folder.with_suffix(".rrd")
+    with ThreadPoolExecutor(1) as thread:
+        status = thread.submit(main, [str(folder), "--follow", "--save", str(file)])
+        work()
+        assert status.result(60) == 0
+    return read(file)
+
+
+def test_the_command_follows_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """From before the folder is there until the run has ended, with its result; a run that goes on as
+    well. Afterwards it shows the same."""
+    job, folder = tmp_path / "job.toml", tmp_path / "results"
+    job.write_text(JOB.replace("images = 0", "images = 2"))
+    recording = followed(folder, lambda: cw.optimize(job, folder), monkeypatch)
+    assert main([str(folder), "--save", str(tmp_path / "later.rrd")]) == 0
+    later = read(tmp_path / "later.rrd")
+    assert recording.keys() == later.keys() and "/world/shapes/leaf" in recording
+    assert [i for i, _ in curve(recording, "/loss/loss")] == list(range(5))
+    assert all(curve(later, path) == curve(recording, path) for path in recording if "/loss" in path)
+    # Begun again; a result is there meanwhile, but of the run before.
+    job.write_text(job.read_text().replace("iterations = 4", "iterations = 6"))
+    recording = followed(folder, lambda: cw.optimize(job, folder, resume=True), monkeypatch)
+    # The last row that was there before has no step, and may have been read before it gets one.
+    assert sorted({i for i, _ in curve(recording, "/loss/loss")}) == list(range(7))
+    assert [i for i, _ in curve(recording, "/gradients/all")] == list(range(6))
+    [(iteration, _)] = recording["/world/shapes/leaf"]["Mesh3D:vertex_positions"]
+    assert iteration == 6
+
+
+def test_the_command_ends_with_a_killed_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """With all that was written, and without a result."""
+    job, folder = tmp_path / "job.toml", tmp_path / "results"
+    job.write_text(JOB.replace("iterations = 4", "iterations = 1000000"))
+    is_written = _run_folder.RunFolder(folder).is_written
+    assert not is_written()
+
+    def run_and_kill() -> None:
+        code = "import sys, capwalk as cw; cw.optimize(*sys.argv[1:])"
+        run = subprocess.Popen([sys.executable, "-c", code, str(job), str(folder)])
+        try:
+            while run.poll() is None and not rows():
+                pass
+            assert is_written()
+        finally:
+            run.kill()
+            run.wait()
+        assert not is_written()
+
+    def rows() -> list[str]:
+        record = folder / "record.csv"
+        return record.read_text().splitlines()[1:] if record.exists() else []
+
+    recording = followed(folder, run_and_kill, monkeypatch)
+    assert len(curve(recording, "/loss/loss")) in (len(rows()), len(rows()) - 1) and rows()
+    assert not any(path.startswith("/world") for path in recording)
+
+
+def test_the_command_names_mistakes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In one line."""
+    monkeypatch.setattr(_run_folder, "BEGINS_WITHIN", 0.0)
+    (tmp_path / "file").touch()
+    run = tmp_path / "run"
+    run.mkdir()
+    (run / "record.csv").touch()
+    missing, place = tmp_path / "missing", tmp_path / "a" / "b.rrd"
+    for arguments, expected in [
+        ([missing, "--save", tmp_path / "a.rrd"], "record.csv"),
+        ([missing, "--follow", "--save", tmp_path / "a.rrd"], "record.csv"),
+        ([tmp_path / "file", "--follow"], "is no folder"),
+        ([run, "--save", place], "b.rrd"),
+        ([run, "--connect", "nowhere"], "nowhere"),
+    ]:
+        assert main([str(argument) for argument in arguments]) == 1
+        error = capsys.readouterr().err
+        assert error.count("\n") == 1 and expected in error
+
+
 def test_mistakes_are_errors(tmp_path: Path, scene: cw.Scene) -> None:
     with Log.save(tmp_path / "run.rrd") as log:
         with pytest.raises(cw.ArgumentError, match="the shape .18, 24.; expected"):
@@ -246,3 +336,8 @@ def test_the_extra_is_named_where_rerun_is_missing() -> None:
     code = "import sys; sys.modules['rerun'] = None; import capwalk.rerun"
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert ran.returncode != 0 and "pip install 'capwalk[rerun]'" in ran.stderr
+    code = """import runpy, sys; sys.modules['rerun'] = None; sys.argv = ['', 'results']
+runpy.run_module('capwalk.rerun', run_name='__main__')"""
+    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert ran.returncode == 1
+    assert ran.stderr == "capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'\n"
