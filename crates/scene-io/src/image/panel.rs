@@ -173,7 +173,7 @@ fn title(name: &str, metadata: &[(String, String)]) -> String {
     };
     let turns = parameter.contains(".rotate.");
     let unit = match (turns, parameter.contains(' ')) {
-        (true, false) => "degree",
+        (true, false) => "radian",
         _ => "unit",
     };
     format!("{name} per {unit} of {parameter}")
@@ -345,7 +345,7 @@ mod tests {
             (
                 GRADIENT,
                 "ball.rotate.z",
-                "gradient per degree of ball.rotate.z",
+                "gradient per radian of ball.rotate.z",
             ),
             (
                 GRADIENT,
