@@ -89,7 +89,10 @@ def gradient(scene: Scene, along: Along, **options: Unpack[GradientOptions]) -> 
     warn_of(statistics)
     warn_of_device(remark)
     made, files = Method(*chosen), tuple(scene._files)
-    return GradientImage(*gradient, *value, made, statistics, device, _files=files)
+    name = along if isinstance(along, str) else ""
+    return GradientImage(
+        *gradient, *value, made, statistics, device, _files=files, _along=name
+    )
 
 
 def backward(

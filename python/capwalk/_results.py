@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,14 @@ from ._numbers import Array
 
 Files = tuple[os.PathLike[str], ...]
 """Files that were read, which are never written."""
+
+Layers = list[tuple[str, Array]]
+Notes = list[tuple[str, str]]
+"""What is said of a file, by keys."""
+
+LEAST_WIDTH = 384
+"""Images that are narrower than this are enlarged by a whole factor in notebooks, pixels, as the module
+enlarges those in previews."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -52,7 +62,8 @@ class Image:
         _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
 
     def _repr_png_(self) -> bytes:
-        return _capwalk.png(self.value, None)
+        factor = -(-LEAST_WIDTH // self.value.shape[1])
+        return _capwalk.png(self.value.repeat(factor, axis=0).repeat(factor, axis=1), None)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -77,6 +88,8 @@ class GradientImage:
     """Where it was computed: ``"cpu"``, or the name of the GPU."""
     _files: Files = ()
     """What the scene was read from."""
+    _along: str = ""
+    """The parameter, as it was given; "" for velocities of arrays."""
 
     def __repr__(self) -> str:
         described = _described(self.gradient, self.stderr)
@@ -86,26 +99,35 @@ class GradientImage:
         return _as_array(self.gradient, dtype, copy)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes an .exr or .npz file with all layers in single precision, or a .png file with
-        the derivative in false colours, blue below zero and red above.
+        """Writes an .exr or .npz file with all layers in single precision, or a .png file as notebooks
+        show it: the image beside the derivative in false colours, blue below zero and red above.
+
+        The title names the parameter and its unit. The colour bar ends where 99 % of the pixels with a
+        derivative are within it, and is logarithmic if that is far above their median. Narrow images
+        are enlarged by a whole factor, to at least 384 pixels.
 
         :raises ArgumentError: the scene was read from this file.
         :raises ImageError: the file cannot be written, or its name has another ending.
         """
-        layers = [
+        _capwalk.write_images(os.fspath(path), self._layers(), self._notes(), list(self._files))
+
+    def _repr_png_(self) -> bytes:
+        with tempfile.TemporaryDirectory() as folder:
+            preview = Path(folder, "preview.png")
+            _capwalk.write_images(os.fspath(preview), self._layers(), self._notes(), [])
+            return preview.read_bytes()
+
+    def _layers(self) -> Layers:
+        return [
             ("gradient", self.gradient),
             ("stderr", self.stderr),
             ("value", self.value),
             ("value_stderr", self.value_stderr),
         ]
-        # A preview shows one layer.
-        if os.fspath(path).lower().endswith(".png"):
-            layers = layers[:1]
-        notes = [] if self.device == "cpu" else [("device", self.device)]
-        _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
 
-    def _repr_png_(self) -> bytes:
-        return _capwalk.png(self.gradient, _capwalk.limit(self.gradient))
+    def _notes(self) -> Notes:
+        notes = [("parameter", self._along)] if self._along else []
+        return notes if self.device == "cpu" else [*notes, ("device", self.device)]
 
 
 class Gradients(dict[str, Array]):

@@ -66,7 +66,10 @@ class Workers(ABC):
         (value, value_stderr), (gradient, stderr), chosen, statistics, _ = result
         warn_of(statistics)
         made, files = Method(*chosen), tuple(scene._files)
-        return GradientImage(gradient, stderr, value, value_stderr, made, statistics, _files=files)
+        name = along if isinstance(along, str) else ""
+        return GradientImage(
+            gradient, stderr, value, value_stderr, made, statistics, _files=files, _along=name
+        )
 
     def backward(
         self,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import capwalk as cw
 import numpy as np
@@ -148,9 +149,35 @@ def test_previews(scene: cw.Scene, tmp_path: Path) -> None:
     for ending in ["exr", "npz", "png"]:
         derivative.save(tmp_path / f"derivative.{ending}")
         assert (tmp_path / f"derivative.{ending}").stat().st_size > 100
+    assert (tmp_path / "derivative.png").read_bytes() == derivative._repr_png_()
     saved = np.load(tmp_path / "derivative.npz")
     assert np.allclose(saved["gradient"], derivative.gradient, rtol=1e-6)
     assert {"gradient", "stderr", "value", "value_stderr"} <= set(saved)
+
+
+def test_previews_can_be_read_in_a_talk(scene: cw.Scene, tmp_path: Path) -> None:
+    """Small images are enlarged by a whole factor; a derivative has its image beside it, and a title."""
+    image, derivative = cw.render(scene), cw.gradient(scene, "box.rotate.z")
+    shown = decoded(image._repr_png_(), tmp_path)
+    assert shown.shape == (16 * 18, 16 * 24, 3)
+    image.save(tmp_path / "image.png")
+    pixels = cw.load_image(tmp_path / "image.png", raw=True)
+    np.testing.assert_array_equal(shown, pixels.repeat(16, axis=0).repeat(16, axis=1))
+    both = decoded(derivative._repr_png_(), tmp_path)
+    assert both.shape[0] > 16 * 18 and both.shape[1] > 2 * 16 * 24
+    # The image is there, in a frame of one pixel, below the title.
+    left, top = 12, 32
+    np.testing.assert_allclose(both[top : top + 16 * 18, left : left + 16 * 24], shown, atol=1 / 255)
+    # Velocities have no name for a title.
+    same = {"box.positions": np.cross([0, 0, 1], cw.traverse(scene)["box.positions"])}
+    without = decoded(cw.gradient(scene, same)._repr_png_(), tmp_path)
+    assert (both[:top] < 0.5).sum() > (without[:top] < 0.5).sum() > 0
+
+
+def decoded(png: bytes, folder: Path) -> Any:
+    """The pixels of a PNG file, (height, width, 3), 0 to 1."""
+    (folder / "shown.png").write_bytes(png)
+    return cw.load_image(folder / "shown.png", raw=True)
 
 
 def test_size_and_defines() -> None:
