@@ -19,6 +19,7 @@ from ._jobs import Optimization, optimize
 from ._method import Method
 from ._parameters import SceneParameters, traverse
 from ._results import Check, GradientImage, Gradients, Image
+from ._sobolev import sobolev_gradient
 from ._steps import Adam, LargeSteps
 from ._transform import Transform
 from .errors import (
@@ -75,5 +76,6 @@ __all__ = [
     "render",
     "save_image",
     "save_mesh",
+    "sobolev_gradient",
     "traverse",
 ]
