@@ -26,10 +26,11 @@ import torch  # type: ignore[import-not-found, unused-ignore]
 from . import _capwalk
 from ._functional import Work, second_derivative, seeds
 from ._numbers import Array
+from ._sample_scheduler import SampleScheduler
 from .errors import ArgumentError
 from .options import FunctionOptions, Unpack
 
-__all__ = ["render"]
+__all__ = ["SampleScheduler", "render"]
 
 
 def render(

@@ -89,10 +89,10 @@ def given(page: str, number: int) -> dict[str, Any]:
         case "docs/how-to/custom-loss.md":
             scene = cw.load_file("ball")
             names |= {"scene": scene, "mask": image[..., :1], "target_mask": image}
-            if number == 0:
+            if number in (0, 4):
                 torch: Any = pytest.importorskip("torch")
                 start = torch.from_numpy(np.asarray(cw.traverse(scene)["ball.positions"]))
-                names |= {"start": start, "positions": start.clone().requires_grad_()}
+                names |= {"torch": torch, "start": start, "positions": start.clone().requires_grad_()}
                 names |= {"mask": torch.ones(HEIGHT, WIDTH, 1), "target": torch.from_numpy(image)}
     return names
 

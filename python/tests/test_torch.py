@@ -543,3 +543,115 @@ def test_devices(leaf: cw.Scene) -> None:
 
 def test_the_example() -> None:
     assert doctest.testmod(capwalk.torch).failed == 0
+
+
+def noisy(x: torch.Tensor, loss: object, sigma: float) -> object:
+    """A function of samples and a seed: a loss whose gradient has an error of `sigma` for one sample."""
+
+    def loss_of(spp: int, seed: int) -> torch.Tensor:
+        noise = torch.randn(len(x), generator=torch.Generator().manual_seed(seed), dtype=x.dtype)
+        return loss(x) + sigma / spp**0.5 * (noise * x).sum()
+
+    return loss_of
+
+
+def scheduled(loss: object, start: float, sigma: float, steps: int, **options: object) -> object:
+    """A scheduler after some steps of gradient descent, and its counts."""
+    x = torch.tensor([start], dtype=torch.float64, requires_grad=True)
+    optimizer = torch.optim.SGD([x], lr=0.1)
+    scheduler, counts = capwalk.torch.SampleScheduler(optimizer, **options), []
+    for _ in range(steps):
+        scheduler.step(noisy(x, loss, sigma))
+        counts.append(scheduler.spp)
+        if scheduler.no_descent:
+            break
+    return scheduler, counts, x.item()
+
+
+@pytest.mark.parametrize("batches", [2, 4])
+@pytest.mark.parametrize("sigma", [3.0, 6.0])
+def test_samples_are_those_of_the_theory(batches: int, sigma: float) -> None:
+    """Along a slope of 1 the descent has the relative error `theta` with `(sigma / theta)**2` samples."""
+    scheduler, counts, _ = scheduled(
+        torch.sum, 0.0, sigma, 300, spp=8, theta=0.5, most=1024, batches=batches
+    )
+    assert scheduler.no_descent is None
+    theory = (sigma / 0.5) ** 2
+    assert theory / 2 < np.median(counts[50:]) < theory * 2
+    assert all(count % batches == 0 for count in counts)
+
+
+def test_schedulers_stop_at_the_optimum() -> None:
+    """Few samples far away, the most at the end, and then there is no descent."""
+    scheduler, counts, x = scheduled(lambda x: 0.5 * x.square().sum(), 5.0, 1.0, 1000, spp=8, most=256)
+    assert max(counts[:20]) <= 8 and counts[-1] == 256
+    found = scheduler.no_descent
+    assert found.steps == 20 and found.mean <= found.error
+    assert len(counts) < 500 and abs(x) < 0.1
+
+
+def test_schedulers_take_the_mean_of_their_batches() -> None:
+    """Each with a seed of its own; and a descent by the step before, at its full rate."""
+    x = torch.tensor([2.0, 1.0], requires_grad=True)
+    optimizer = torch.optim.SGD([x], lr=0.5)
+    rates = torch.optim.lr_scheduler.LambdaLR(optimizer, lambda step: 0.5**step)
+    scheduler = capwalk.torch.SampleScheduler(optimizer, spp=12, batches=3, seed=7)
+    seeds = []
+
+    def loss_of(spp: int, seed: int) -> torch.Tensor:
+        seeds.append((spp, seed))
+        return seed * x[0]
+
+    assert scheduler.step(loss_of) == pytest.approx(2 * 8)
+    assert seeds == [(4, 7), (4, 8), (4, 9)] and np.isnan(scheduler.descent)
+    assert x.tolist() == [2.0 - 0.5 * 8, 1.0]
+    rates.step()
+    scheduler.step(loss_of)
+    # 11 times the step of 4.
+    assert scheduler.descent == pytest.approx(44) and x[0].item() == pytest.approx(-2 - 0.25 * 11)
+    assert scheduler.descent_stderr == pytest.approx(4 / 3**0.5)
+    scheduler.step(loss_of)
+    assert scheduler.descent == pytest.approx(14 * 5.5)
+    before = x.detach().clone()
+    with pytest.raises(cw.ArgumentError, match="NaN"):
+        scheduler.step(lambda spp, seed: x.sum() * float("nan"))
+    assert torch.equal(x, before)
+
+
+def test_a_shift_is_found_with_samples_that_follow_the_noise(leaf: cw.Scene) -> None:
+    """Until there is no descent any more; in the same steps whenever it is run."""
+    target = torch.from_numpy(cw.render(leaf, spp=1024, seed=2**40).value)
+    [positions] = tensors(leaf, LEAF).values()
+
+    def run() -> object:
+        shift = torch.tensor([0.2, 0.0, 0.0], dtype=torch.float64, requires_grad=True)
+
+        def loss_of(spp: int, seed: int) -> torch.Tensor:
+            image = capwalk.torch.render(leaf, {LEAF: positions + shift}, spp=spp, seed=seed)
+            return (image - target).square().mean()
+
+        scheduler = capwalk.torch.SampleScheduler(torch.optim.Adam([shift], lr=0.02), spp=4, most=32)
+        counts = []
+        while scheduler.no_descent is None and len(counts) < 150:
+            scheduler.step(loss_of)
+            counts.append(scheduler.spp)
+        return shift.detach(), counts
+
+    shift, counts = run()
+    assert counts[:20] == [4] * 20 and max(counts) == 32 and len(counts) < 150
+    assert shift.norm() < 0.04
+    again, counts_again = run()
+    assert counts == counts_again and torch.equal(shift, again)
+
+
+def test_schedulers_refuse_wrong_numbers() -> None:
+    optimizer = torch.optim.SGD([torch.zeros(1, requires_grad=True)], lr=0.1)
+    for options, message in [
+        ({"spp": 3}, "spp is 3"),
+        ({"spp": 8, "most": 7}, "most is 7"),
+        ({"spp": 8, "batches": 1}, "batches is 1"),
+        ({"spp": 8, "theta": 0.0}, "theta is 0"),
+        ({"spp": 8, "seed": -1}, "seed is -1"),
+    ]:
+        with pytest.raises(cw.ArgumentError, match=message):
+            capwalk.torch.SampleScheduler(optimizer, **options)
