@@ -82,9 +82,6 @@ CERTAIN = 2.0
 
 CERTAIN_COLOUR, UNCERTAIN_COLOUR = (255, 90, 0), (130, 130, 130)
 
-FLUSH_LIMIT = 60.0
-"""How long to wait until a viewer has taken everything, seconds."""
-
 MESH_REFLECTANCE = 0.5
 """Of shapes whose BSDF has no reflectance, or is not their own."""
 
@@ -153,7 +150,7 @@ class Log(Closing):
         """Sends what is left, and disconnects from viewer or file."""
         self._lay_out()
         # Without a limit it may wait forever for a viewer that is gone.
-        self.stream.flush(timeout_sec=FLUSH_LIMIT)
+        self.stream.flush(timeout_sec=60.0)
         self.stream.disconnect()
 
     def iteration(self, number: int) -> None:
