@@ -12,12 +12,12 @@ from typing import Any
 
 import capwalk as cw
 import numpy as np
-import PIL.Image
 import pytest
 from conftest import SCENE
 from test_jobs import JOB
 
 rr = pytest.importorskip("rerun")
+pillow: Any = pytest.importorskip("PIL.Image")
 chunk = pytest.importorskip("rerun.chunk", reason="this rerun-sdk reads no recordings")
 
 from capwalk import _run_folder  # noqa: E402
@@ -52,7 +52,7 @@ def curve(recording: Any, entity: str) -> Any:
 def pixels(recording: Any, entity: str, row: int = 0) -> Any:
     """An image, (height, width, 3)."""
     [blob] = recording[entity]["EncodedImage:blob"][row][1]
-    with PIL.Image.open(io.BytesIO(bytes(blob))) as image:
+    with pillow.open(io.BytesIO(bytes(blob))) as image:
         return np.array(image)
 
 
