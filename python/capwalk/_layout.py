@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+import rerun as rr  # type: ignore[import-not-found, unused-ignore]
 import rerun.blueprint as rrb  # type: ignore[import-not-found, unused-ignore]
 
 TIMELINE = "iteration"
@@ -17,7 +18,7 @@ class Layout:
     images: dict[str, dict[str, str]] = field(default_factory=dict)
     """Titles by path, by sensor."""
     curves: list[str] = field(default_factory=list)
-    """Paths above those of curves that share a plot."""
+    """What is above the paths of curves that share a plot, and their title."""
     has_scene: bool = False
     eye: tuple[tuple[float, ...], tuple[float, ...]] | None = None
     """From where the scene is seen at first, and which point is in the middle."""
@@ -45,8 +46,10 @@ class Layout:
         if self.curves:
             legend = rrb.PlotLegend(corner=rrb.Corner2D.RightTop)
             plots = [
-                rrb.TimeSeriesView(origin=path, name=path, plot_legend=legend)
-                for path in self.curves
+                rrb.TimeSeriesView(
+                    origin=rr.new_entity_path([name]), name=name, plot_legend=legend
+                )
+                for name in self.curves
             ]
             row.append(rrb.Vertical(*plots))
         if row:

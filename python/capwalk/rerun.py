@@ -1,6 +1,6 @@
 """Optimisations in the viewer of `Rerun <https://rerun.io>`_, live or from a file: images, meshes,
 cameras, gradients, losses and parameters by iteration. Needs ``rerun-sdk``: ``pip install
-'capwalk[rerun]'``.
+'capwalk[rerun]'``. ``python -m capwalk.rerun FOLDER`` shows the folder of an optimisation.
 
 >>> import os
 >>> import capwalk as cw, capwalk.rerun
@@ -24,8 +24,6 @@ cameras, gradients, losses and parameters by iteration. Needs ``rerun-sdk``: ``p
 ...         adam.step(params, grads)
 ...         params.update()
 >>> os.remove("leaf.rrd")
-
-As a command it shows the folder of an optimisation, see ``python -m capwalk.rerun --help``.
 """
 
 from __future__ import annotations
@@ -57,6 +55,7 @@ from ._given import array_of, number_of, pixels_of, vectors_of
 from ._layout import TIMELINE, Layout
 from ._numbers import Array
 from ._options import integer
+from ._padded import Padded
 from ._parameters import traverse
 from ._results import GradientImage, Image
 from ._run_folder import COLUMNS, RunFolder
@@ -121,6 +120,7 @@ class Log(Closing):
         self._limits: dict[str, float] = {}
         """By path."""
         self._runs: dict[Path, RunFolder] = {}
+        self._padded: dict[str, Padded] = {}
         self.iteration(0)
 
     @classmethod
@@ -471,7 +471,8 @@ class Log(Closing):
             title, sensor = "image, target, difference", view or "run"
             path = _path("images", sensor, title)
             self._layout.images.setdefault(sensor, {})[path] = title
-            self.stream.log(path, rr.EncodedImage(path=file))
+            contents = self._padded.setdefault(path, Padded()).png(file)
+            self.stream.log(path, rr.EncodedImage(contents=contents, media_type="image/png"))
 
 
 def _path(*parts: str) -> str:

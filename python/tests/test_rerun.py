@@ -209,6 +209,14 @@ def test_jobs_are_followed(tmp_path: Path) -> None:
     assert len(x) == 5 and x[-1][1] == [found.parameters["leaf.translate.x"].item()]
     pictures = recording["/images/run/image\\,\\ target\\,\\ difference"]["EncodedImage:blob"]
     assert [iteration for iteration, _ in pictures] == [0, 2, 4]
+    # Those of a video have one size, whatever the numbers at the colour bar are.
+    entity = "/images/run/image\\,\\ target\\,\\ difference"
+    shown = [pixels(recording, entity, row) for row in range(3)]
+    assert len({picture.shape for picture in shown}) == 1
+    with pillow.open(folder / "images/000004.png") as picture:
+        width, height = picture.size
+        np.testing.assert_array_equal(shown[2][:height, :width], np.array(picture))
+    assert (shown[2][:, width:] == 255).all()
     assert recording["/world/shapes/leaf"]["Mesh3D:vertex_positions"][0][0] == 4
     assert recording.keys() == later.keys()
     assert all(curve(later, path) == curve(recording, path) for path in recording if "/loss" in path)
