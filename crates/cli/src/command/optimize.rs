@@ -88,6 +88,8 @@ pub fn run(args: &Optimize) -> Result<Outcome> {
         .map(|file| file.display().to_string())
         .collect();
     report(args, &run, &stop, clock.has_rung(), &files)?;
+    // The viewer knows by the folder's lock that the run is over.
+    drop(run);
     if let Some(Err(error)) = viewer.map(Viewer::finish) {
         log::warn!("{error:#}");
     }

@@ -3,7 +3,7 @@
 mod methods;
 mod resume;
 mod stops;
-#[cfg(unix)]
+#[cfg(target_os = "linux")]
 mod viewer;
 
 use std::fs;

@@ -34,7 +34,7 @@ impl Viewer {
         Ok(())
     }
 
-    /// Begins to show the run in a folder.
+    /// Begins to show the run in a folder, which is locked until the run is over.
     ///
     /// # Errors
     ///
@@ -42,22 +42,20 @@ impl Viewer {
     pub fn open(folder: &Path) -> Result<Self> {
         let mut follower = follower();
         follower.arg(folder).arg("--follow");
-        // The end of its input tells it that the run is over, however that comes about; Ctrl-C is
-        // for the run alone.
-        follower.stdin(Stdio::piped()).stdout(Stdio::null());
+        // Ctrl-C is for the run alone.
+        follower.stdin(Stdio::null()).stdout(Stdio::null());
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut follower, 0);
         let process = follower.spawn().with_context(missing)?;
         Ok(Self { process })
     }
 
-    /// Waits until all of the run is shown.
+    /// Waits until all of the run is shown, after the folder's lock is gone.
     ///
     /// # Errors
     ///
     /// It was not shown, for a reason that the process has printed.
     pub fn finish(mut self) -> Result<()> {
-        // `wait` closes the input first.
         let status = self.process.wait()?;
         ensure!(status.success(), "the run was not shown: {status}");
         Ok(())
