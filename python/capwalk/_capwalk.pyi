@@ -126,4 +126,6 @@ def write_images(
     layers: list[tuple[str, _Array]],
     notes: list[tuple[str, str]],
     read: list[PathLike[str]],
+    limit: float | None,
 ) -> None: ...
+def preview(layers: list[tuple[str, _Array]], notes: list[tuple[str, str]]) -> bytes: ...

@@ -246,7 +246,7 @@ class _Writer:
         [(name, value, where)] = arrays
         raw = name == "data" or any(name == "raw" and value for name, value, _ in entries)
         file = self._file("exr")
-        _capwalk.write_images(str(file), [("value", _texels(value, where, raw=raw))], [], [])
+        _capwalk.write_images(str(file), [("value", _texels(value, where, raw=raw))], [], [], None)
         kept = [entry for entry in entries if entry is not arrays[0]]
         return [("filename", str(file), where), *kept]
 

@@ -155,12 +155,12 @@ def _write(path: str, data: bytes) -> None:
 def save_image(path: str | os.PathLike[str], image: ArrayLike) -> None:
     """Writes an image, linear RGB, (height, width, 3), or (height, width) for equal channels, such as a
     target or a texture: to an ``.exr`` or ``.npz`` file its numbers in single precision, as
-    :func:`load_image` reads them; to a ``.png`` file with 8 bits in sRGB, clamped to 0 and 1.
+    :func:`load_image` reads them; to a ``.png`` or ``.svg`` file with 8 bits in sRGB, clamped to 0 and 1.
 
     :raises ArgumentError: the image has another shape.
     :raises ImageError: the file cannot be written, or its name has another ending.
     """
-    _capwalk.write_images(os.fspath(path), [("value", numbers("the image", image))], [], [])
+    _capwalk.write_images(os.fspath(path), [("value", numbers("the image", image))], [], [], None)
 
 
 def load_image(

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -51,15 +49,15 @@ class Image:
         return _as_array(self.value, dtype, copy)
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes an .exr or .npz file with all layers in single precision, or a .png file with
-        the image.
+        """Writes an .exr or .npz file with all layers in single precision, or a .png or
+        .svg file with the image.
 
         :raises ArgumentError: the scene was read from this file.
         :raises ImageError: the file cannot be written, or its name has another ending.
         """
         layers = [("value", self.value), ("value_stderr", self.stderr)]
         notes = [] if self.device == "cpu" else [("device", self.device)]
-        _capwalk.write_images(os.fspath(path), layers, notes, list(self._files))
+        _capwalk.write_images(os.fspath(path), layers, notes, list(self._files), None)
 
     def _repr_png_(self) -> bytes:
         factor = -(-LEAST_WIDTH // self.value.shape[1])
@@ -98,24 +96,25 @@ class GradientImage:
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
         return _as_array(self.gradient, dtype, copy)
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes an .exr or .npz file with all layers in single precision, or a .png file as notebooks
-        show it: the image beside the derivative in false colours, blue below zero and red above.
+    def save(self, path: str | os.PathLike[str], *, limit: float | None = None) -> None:
+        """Writes an .exr or .npz file with all layers in single precision, or a .png or .svg file as
+        notebooks show it: the image beside the derivative in false colours, blue below zero and red
+        above. In SVG, type is text.
 
         The title names the parameter and its unit. The colour bar ends where 99 % of the pixels with a
         derivative are within it, and is logarithmic if that is far above their median. Narrow images
         are enlarged by a whole factor, to at least 384 pixels.
 
+        :param limit: where the colours end on both sides, spread evenly, above 0: the same for
+            derivatives that are to be compared.
         :raises ArgumentError: the scene was read from this file.
         :raises ImageError: the file cannot be written, or its name has another ending.
         """
-        _capwalk.write_images(os.fspath(path), self._layers(), self._notes(), list(self._files))
+        files = list(self._files)
+        _capwalk.write_images(os.fspath(path), self._layers(), self._notes(), files, limit)
 
     def _repr_png_(self) -> bytes:
-        with tempfile.TemporaryDirectory() as folder:
-            preview = Path(folder, "preview.png")
-            _capwalk.write_images(os.fspath(preview), self._layers(), self._notes(), [])
-            return preview.read_bytes()
+        return _capwalk.preview(self._layers(), self._notes())
 
     def _layers(self) -> Layers:
         return [

@@ -188,3 +188,14 @@ def test_size_and_defines() -> None:
     assert cw.render(scene).statistics["samples"] == 3 * 7 * 18
     scene.resize(5, 4)
     assert cw.render(scene).value.shape == (4, 5, 3)
+
+
+def test_pictures_in_files(scene: cw.Scene, tmp_path: Path) -> None:
+    derivative = cw.gradient(scene, "box.rotate.y", spp=4)
+    for limit, shown in [(None, False), (0.125, True)]:
+        derivative.save(tmp_path / "picture.svg", limit=limit)
+        text = (tmp_path / "picture.svg").read_text()
+        assert ">gradient per radian of box.rotate.y<" in text
+        assert (">0.125<" in text) == shown
+    with pytest.raises(cw.ImageError, match="limit of its colours is 0"):
+        derivative.save(tmp_path / "picture.svg", limit=0.0)

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use capwalk::FilesRead;
-use capwalk::scene_io::image::{LayeredImage, Preview, Scale, Style, pixels_as_png, write};
+use capwalk::scene_io::image::{
+    LayeredImage, Preview, Scale, Style, pixels_as_png, preview_as_png, write,
+};
 use capwalk::scene_io::read_image as read;
 use numpy::{PyArray3, PyReadonlyArrayDyn};
 use pyo3::prelude::*;
@@ -50,27 +52,53 @@ pub fn read_image(
     arrays::from_image(py, &image.map_err(|error| errors::exception(py, error))?)
 }
 
-/// Writes images into one file, by their names there, with notes on them. It is none of those that
-/// were `read`.
+/// Images by their names, and notes on them.
+type Layers<'py> = Vec<(String, PyReadonlyArrayDyn<'py, f64>)>;
+
+/// Writes images into one file, by their names there, with notes on them, in pictures with false
+/// colours up to a limit. It is none of the files that were `read`.
 #[pyfunction]
 pub fn write_images(
     py: Python<'_>,
     path: PathBuf,
-    layers: Vec<(String, PyReadonlyArrayDyn<'_, f64>)>,
+    layers: Layers<'_>,
     notes: Vec<(String, String)>,
     read: Vec<PathBuf>,
+    limit: Option<f64>,
 ) -> PyResult<()> {
     let read: FilesRead = read.into_iter().collect();
     read.refuse(&path)
         .map_err(|error| errors::exception(py, error))?;
-    let mut layered = LayeredImage {
-        metadata: notes,
-        ..LayeredImage::default()
+    let layered = layered(&layers, notes)?;
+    let preview = Preview {
+        limit,
+        ..Preview::default()
     };
-    for (name, array) in &layers {
-        layered.push(name, arrays::to_image(name, array)?);
-    }
-    let written = detached(py, || write(&path, &layered, &Preview::default()))?;
+    let written = detached(py, || write(&path, &layered, &preview))?;
     written.map_err(|error| errors::exception(py, error))?;
     Ok(())
+}
+
+/// The picture of images that [`write_images`] writes into a PNG file.
+#[pyfunction]
+pub fn preview<'py>(
+    py: Python<'py>,
+    layers: Layers<'py>,
+    notes: Vec<(String, String)>,
+) -> PyResult<Bound<'py, PyBytes>> {
+    let layered = layered(&layers, notes)?;
+    let bytes = detached(py, || preview_as_png(&layered, &Preview::default()))?;
+    let bytes = bytes.map_err(|error| errors::exception(py, error))?;
+    Ok(PyBytes::new(py, &bytes))
+}
+
+fn layered(layers: &Layers<'_>, metadata: Vec<(String, String)>) -> PyResult<LayeredImage> {
+    let mut layered = LayeredImage {
+        metadata,
+        ..LayeredImage::default()
+    };
+    for (name, array) in layers {
+        layered.push(name, arrays::to_image(name, array)?);
+    }
+    Ok(layered)
 }

@@ -21,7 +21,7 @@ mod work;
 #[pyo3::pymodule]
 mod _capwalk {
     #[pymodule_export]
-    use crate::image::{limit, png, read_image, write_images};
+    use crate::image::{limit, png, preview, read_image, write_images};
     #[pymodule_export]
     use crate::jobs::optimize;
     #[pymodule_export]

@@ -89,9 +89,12 @@ pub fn write_panels(
     Ok(images.map(tone::non_finite_pixels).sum())
 }
 
+/// What stands for the path of what is not written into a file.
+const IN_MEMORY: &str = "image in memory";
+
 /// An image as a PNG file in memory, its pixels as they are: no title, no bar.
 pub fn pixels_as_png(image: &Image, style: Style) -> Result<Vec<u8>, ImageError> {
-    let path = Path::new("image in memory");
+    let path = Path::new(IN_MEMORY);
     if let Style::Diverging(scale) = style {
         check_limit(path, scale.limit)?;
     }
@@ -122,14 +125,35 @@ impl Style {
     }
 }
 
-/// Writes a preview of a layer: the gradient, beside the value if that is there, or else the value, or
-/// else the first.
+/// Writes a preview, see [`previewed`].
 pub(super) fn write_preview(
     path: &Path,
     kind: Picture,
     layered: &LayeredImage,
     preview: &Preview,
 ) -> Result<Written, ImageError> {
+    let (picture, written) = previewed(path, kind, layered, preview)?;
+    save_picture(path, picture, &layered.metadata)?;
+    Ok(written)
+}
+
+/// A preview as a PNG file in memory, the same as [`write`](super::write) makes.
+pub fn preview_as_png(layered: &LayeredImage, preview: &Preview) -> Result<Vec<u8>, ImageError> {
+    let path = Path::new(IN_MEMORY);
+    let wrong = |reason| ImageError::write(path, reason);
+    layered.size().map_err(wrong)?;
+    let (picture, _) = previewed(path, Picture::Png, layered, preview)?;
+    picture.encode(&layered.metadata).map_err(wrong)
+}
+
+/// A preview of a layer: the gradient, beside the value if that is there, or else the value, or else
+/// the first.
+fn previewed(
+    path: &Path,
+    kind: Picture,
+    layered: &LayeredImage,
+    preview: &Preview,
+) -> Result<(Box<dyn Surface>, Written), ImageError> {
     let first = &layered.layers[0]; // there is one, or it had no size
     let names = [GRADIENT, VALUE];
     let name = names.into_iter().find(|name| layered.layer(name).is_some());
@@ -157,11 +181,11 @@ pub(super) fn write_preview(
         });
         draw(kind, &value.into_iter().chain([shown]).collect::<Vec<_>>())
     };
-    save_picture(path, picture, &layered.metadata)?;
-    Ok(Written {
+    let written = Written {
         non_finite_pixels: tone::non_finite_pixels(image),
         limit,
-    })
+    };
+    Ok((picture, written))
 }
 
 /// The name of a layer, and of a gradient with respect to what it is.
