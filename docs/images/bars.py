@@ -50,8 +50,8 @@ def on_the_gpu(page: str) -> list[list[Any]]:
     """For each row a scene, a task, and how many times as fast it is as on the CPU, or why that is not known."""
     (table,) = re.findall(r"^(\| scene \| task \|(?:.+\n)+)", page, re.MULTILINE)
     head, _, *rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table.splitlines()]
-    at = head.index("x CPU")
-    return [[*row[:2], float(row[at]) if row[at] else row[2]] for row in rows]
+    at, (why,) = head.index("x CPU"), [at for at, name in enumerate(head) if name.startswith("kernels")]
+    return [[*row[:2], float(row[at]) if row[at] else row[why]] for row in rows]
 
 
 def numbers(page: str) -> dict[str, list[list[Any]]]:
