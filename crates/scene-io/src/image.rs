@@ -12,6 +12,7 @@
 //! same bytes.
 
 mod canvas;
+mod drawing;
 mod error;
 mod exr;
 mod exr_file;
@@ -22,7 +23,6 @@ mod npz_file;
 mod panel;
 mod pixels;
 mod png;
-mod surface;
 mod svg;
 mod tone;
 

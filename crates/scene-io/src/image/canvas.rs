@@ -12,36 +12,29 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::primitives::{Primitive, PrimitiveStyle, Rectangle};
 use embedded_graphics::text::{Baseline, Text};
 
+use super::drawing::{Drawing, INK, Raster};
 use super::png;
-use super::surface::Surface;
 
-/// The colour of text and frames.
-pub(super) const INK: [u8; 3] = [40, 40, 40];
-
-/// An image in sRGB, row by row from the upper left.
-pub(super) struct Canvas {
-    pub width: usize,
-    pub height: usize,
-    pub pixels: Vec<[u8; 3]>,
-}
+/// What is drawn so far.
+pub(super) struct Canvas(Raster);
 
 impl Canvas {
     /// A white canvas.
     pub fn new([width, height]: [usize; 2]) -> Self {
-        Self {
+        Self(Raster {
             width,
             height,
-            pixels: vec![[255; 3]; width * height],
-        }
+            colours: vec![[255; 3]; width * height],
+        })
     }
 }
 
-impl Surface for Canvas {
-    fn image(&mut self, [left, top]: [usize; 2], zoom: [usize; 2], image: &Canvas) {
-        for (row, pixels) in image.pixels.chunks(image.width.max(1)).enumerate() {
-            for (column, &pixel) in pixels.iter().enumerate() {
+impl Drawing for Canvas {
+    fn image(&mut self, [left, top]: [usize; 2], zoom: [usize; 2], image: &Raster) {
+        for (row, colours) in image.colours.chunks(image.width.max(1)).enumerate() {
+            for (column, &rgb) in colours.iter().enumerate() {
                 let corner = [left + column * zoom[0], top + row * zoom[1]];
-                let style = PrimitiveStyle::with_fill(colour(pixel));
+                let style = PrimitiveStyle::with_fill(colour(rgb));
                 let Ok(()) = rectangle(corner, zoom).into_styled(style).draw(self);
             }
         }
@@ -61,13 +54,13 @@ impl Surface for Canvas {
     }
 
     fn encode(self: Box<Self>, metadata: &[(String, String)]) -> Result<Vec<u8>, String> {
-        png::encode(&self, metadata)
+        png::encode(&self.0, metadata)
     }
 }
 
 impl OriginDimensions for Canvas {
     fn size(&self) -> Size {
-        Size::new(self.width as u32, self.height as u32)
+        Size::new(self.0.width as u32, self.0.height as u32)
     }
 }
 
@@ -83,8 +76,8 @@ impl DrawTarget for Canvas {
             let (Ok(x), Ok(y)) = (usize::try_from(x), usize::try_from(y)) else {
                 continue;
             };
-            if x < self.width && y < self.height {
-                self.pixels[y * self.width + x] = [colour.r(), colour.g(), colour.b()];
+            if x < self.0.width && y < self.0.height {
+                self.0.colours[y * self.0.width + x] = [colour.r(), colour.g(), colour.b()];
             }
         }
         Ok(())

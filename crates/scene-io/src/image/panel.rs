@@ -6,10 +6,11 @@ use capwalk_math::Rgb;
 use capwalk_scene::Image;
 
 use super::canvas::Canvas;
+use super::drawing::{Drawing, LETTER, Raster, text_width};
 use super::error::ImageError;
 use super::format::{Format, PICTURES, Picture, format, save};
 use super::layered::{GRADIENT, LayeredImage, VALUE};
-use super::surface::{LETTER, Surface, surface, text_width};
+use super::svg::Svg;
 use super::tone::Scale;
 use super::{png, tone};
 
@@ -153,7 +154,7 @@ fn previewed(
     kind: Picture,
     layered: &LayeredImage,
     preview: &Preview,
-) -> Result<(Box<dyn Surface>, Written), ImageError> {
+) -> Result<(Box<dyn Drawing>, Written), ImageError> {
     let first = &layered.layers[0]; // there is one, or it had no size
     let names = [GRADIENT, VALUE];
     let name = names.into_iter().find(|name| layered.layer(name).is_some());
@@ -213,9 +214,17 @@ fn check_limit(path: &Path, limit: f64) -> Result<(), ImageError> {
     }
 }
 
+/// A drawing for a kind of file, with a width and a height.
+fn drawing(kind: Picture, size: [usize; 2]) -> Box<dyn Drawing> {
+    match kind {
+        Picture::Png => Box::new(Canvas::new(size)),
+        Picture::Svg => Box::new(Svg::new(size)),
+    }
+}
+
 fn save_picture(
     path: &Path,
-    picture: Box<dyn Surface>,
+    picture: Box<dyn Drawing>,
     metadata: &[(String, String)],
 ) -> Result<(), ImageError> {
     let bytes = picture.encode(metadata);
@@ -224,19 +233,19 @@ fn save_picture(
 }
 
 /// The pixels as they are, without decoration.
-fn photograph(kind: Picture, image: &Image, exposure: f64) -> Box<dyn Surface> {
+fn photograph(kind: Picture, image: &Image, exposure: f64) -> Box<dyn Drawing> {
     let pixels = coloured(image, Style::Photographic { exposure });
-    let mut surface = surface(kind, [image.width, image.height]);
-    surface.image([0, 0], [1, 1], &pixels);
-    surface
+    let mut drawing = drawing(kind, [image.width, image.height]);
+    drawing.image([0, 0], [1, 1], &pixels);
+    drawing
 }
 
 /// An image in the colours of a screen.
-fn coloured(image: &Image, style: Style) -> Canvas {
-    Canvas {
+fn coloured(image: &Image, style: Style) -> Raster {
+    Raster {
         width: image.width,
         height: image.height,
-        pixels: image.pixels.iter().map(|&p| style.colour(p)).collect(),
+        colours: image.pixels.iter().map(|&p| style.colour(p)).collect(),
     }
 }
 
@@ -262,7 +271,7 @@ struct Layout {
     ticks: Vec<(String, f64)>,
 }
 
-fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Surface> {
+fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Drawing> {
     let tallest = panels.iter().map(|p| p.image.height).max().unwrap_or(0);
     // Text that can be read in a talk, and beside large images.
     let scale = (tallest / 400 + 2).min(4);
@@ -298,39 +307,39 @@ fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Surface> {
         left += (size[0] + bar).max(title_width) + 2 * GAP * scale;
     }
     let bottom = layouts.iter().map(|l| l.size[1]).max().unwrap_or(0) + top + GAP * scale;
-    let mut surface = surface(kind, [left.saturating_sub(GAP * scale), bottom]);
+    let mut drawing = drawing(kind, [left.saturating_sub(GAP * scale), bottom]);
     for (panel, layout) in panels.iter().zip(&layouts) {
         let corner = [layout.left, top];
-        surface.text([layout.left, GAP * scale / 2], &layout.title);
-        surface.frame(corner, layout.size);
-        surface.image(
+        drawing.text([layout.left, GAP * scale / 2], &layout.title);
+        drawing.frame(corner, layout.size);
+        drawing.image(
             corner,
             [layout.zoom; 2],
             &coloured(panel.image, panel.style),
         );
         if let Style::Diverging(_) = panel.style {
-            draw_bar(&mut *surface, layout, top, scale);
+            draw_bar(&mut *drawing, layout, top, scale);
         }
     }
-    surface
+    drawing
 }
 
-fn draw_bar(surface: &mut dyn Surface, layout: &Layout, top: usize, scale: usize) {
+fn draw_bar(drawing: &mut dyn Drawing, layout: &Layout, top: usize, scale: usize) {
     let height = layout.size[1];
     let left = layout.left + layout.size[0] + GAP * scale;
     // The middle of each row, from 1 at the top to -1 at the bottom.
     let rows = (0..height).map(|row| 1.0 - (2 * row + 1) as f64 / height as f64);
-    let bar = Canvas {
+    let bar = Raster {
         width: 1,
         height,
-        pixels: rows.map(tone::diverging).collect(),
+        colours: rows.map(tone::diverging).collect(),
     };
-    surface.frame([left, top], [BAR * scale, height]);
-    surface.image([left, top], [BAR * scale, 1], &bar);
+    drawing.frame([left, top], [BAR * scale, height]);
+    drawing.image([left, top], [BAR * scale, 1], &bar);
     for (tick, place) in &layout.ticks {
         // The first and the last stay within the bar.
         let y = (height.saturating_sub(LETTER[1]) as f64 * place).round() as usize;
-        surface.text([left + (BAR + GAP / 2) * scale, top + y], tick);
+        drawing.text([left + (BAR + GAP / 2) * scale, top + y], tick);
     }
 }
 

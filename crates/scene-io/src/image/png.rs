@@ -1,12 +1,12 @@
 //! PNG: 8 bits per channel, sRGB.
 
-use super::canvas::Canvas;
+use super::drawing::Raster;
 
 /// The bytes of a PNG file with metadata as text chunks.
-pub(super) fn encode(canvas: &Canvas, metadata: &[(String, String)]) -> Result<Vec<u8>, String> {
+pub(super) fn encode(raster: &Raster, metadata: &[(String, String)]) -> Result<Vec<u8>, String> {
     let mut bytes = Vec::new();
     let encoded = (|| {
-        let mut encoder = png::Encoder::new(&mut bytes, canvas.width as u32, canvas.height as u32);
+        let mut encoder = png::Encoder::new(&mut bytes, raster.width as u32, raster.height as u32);
         encoder.set_color(png::ColorType::Rgb);
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
@@ -15,7 +15,7 @@ pub(super) fn encode(canvas: &Canvas, metadata: &[(String, String)]) -> Result<V
             encoder.add_itxt_chunk(key.clone(), value.clone())?;
         }
         let mut writer = encoder.write_header()?;
-        writer.write_image_data(canvas.pixels.as_flattened())?;
+        writer.write_image_data(raster.colours.as_flattened())?;
         writer.finish()
     })();
     match encoded {

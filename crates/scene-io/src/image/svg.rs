@@ -3,9 +3,8 @@
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 
-use super::canvas::{Canvas, INK};
+use super::drawing::{Drawing, INK, LETTER, Raster};
 use super::png;
-use super::surface::{LETTER, Surface};
 
 /// Size of type, pixels: no letter of a common font without serifs is wider than [`LETTER`] on average.
 const TYPE: usize = 17;
@@ -29,8 +28,8 @@ impl Svg {
     }
 }
 
-impl Surface for Svg {
-    fn image(&mut self, [x, y]: [usize; 2], zoom: [usize; 2], image: &Canvas) {
+impl Drawing for Svg {
+    fn image(&mut self, [x, y]: [usize; 2], zoom: [usize; 2], image: &Raster) {
         let (width, height) = (image.width * zoom[0], image.height * zoom[1]);
         match png::encode(image, &[]) {
             Ok(bytes) => {

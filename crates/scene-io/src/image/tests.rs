@@ -111,11 +111,10 @@ fn png_shows_the_gradient_or_else_the_value() {
 }
 
 fn decode_png(path: &Path) -> (u32, u32, Vec<u8>) {
-    decode(std::fs::File::open(path).expect("readable"))
+    decode(&std::fs::read(path).expect("readable"))
 }
 
-fn decode(file: impl std::io::Read) -> (u32, u32, Vec<u8>) {
-    let bytes: Vec<u8> = file.bytes().collect::<Result<_, _>>().expect("readable");
+fn decode(bytes: &[u8]) -> (u32, u32, Vec<u8>) {
     let mut reader = ::png::Decoder::new(std::io::Cursor::new(bytes))
         .read_info()
         .expect("a PNG");
@@ -190,7 +189,7 @@ fn svg_holds_images_and_type() {
         let link = element.attribute(("http://www.w3.org/1999/xlink", "href"));
         let data = link.and_then(|link| link.strip_prefix("data:image/png;base64,"));
         let bytes = BASE64_STANDARD.decode(data.expect("data")).expect("Base64");
-        let (width, height, pixels) = decode(&bytes[..]);
+        let (width, height, pixels) = decode(&bytes);
         assert_eq!((width, height), (7, 5));
         let colours: Vec<u8> = layer
             .image

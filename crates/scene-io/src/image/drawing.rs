@@ -1,17 +1,23 @@
-//! What pictures are drawn on, and the size of their type.
-
-use super::canvas::Canvas;
-use super::format::Picture;
-use super::svg::Svg;
+//! What pictures are drawn on, and how their type looks.
 
 /// Width and height of a letter, pixels.
 pub(super) const LETTER: [usize; 2] = [10, 20];
 
+/// The colour of text and frames.
+pub(super) const INK: [u8; 3] = [40, 40, 40];
+
+/// Colours in sRGB, row by row from the upper left.
+pub(super) struct Raster {
+    pub width: usize,
+    pub height: usize,
+    pub colours: Vec<[u8; 3]>,
+}
+
 /// Something to draw on, in pixels from the upper left; white at first.
-pub(super) trait Surface {
+pub(super) trait Drawing {
     /// Draws an image with its upper left corner at a point, each of its pixels as wide and high as
     /// `zoom`.
-    fn image(&mut self, corner: [usize; 2], zoom: [usize; 2], image: &Canvas);
+    fn image(&mut self, corner: [usize; 2], zoom: [usize; 2], image: &Raster);
 
     /// Draws a line of one pixel around a rectangle.
     fn frame(&mut self, corner: [usize; 2], size: [usize; 2]);
@@ -21,14 +27,6 @@ pub(super) trait Surface {
 
     /// The bytes of a file, with metadata in it.
     fn encode(self: Box<Self>, metadata: &[(String, String)]) -> Result<Vec<u8>, String>;
-}
-
-/// A surface for a kind of file, with a width and a height.
-pub(super) fn surface(kind: Picture, size: [usize; 2]) -> Box<dyn Surface> {
-    match kind {
-        Picture::Png => Box::new(Canvas::new(size)),
-        Picture::Svg => Box::new(Svg::new(size)),
-    }
 }
 
 /// The width of a line of text at most, pixels.
