@@ -102,6 +102,8 @@ def main() -> None:
     parser.add_argument("--steps", type=int, default=100)
     parser.add_argument("--seeds", type=int, default=1)
     chosen = parser.parse_args()
+    if chosen.steps < 2:
+        parser.error("--steps: expected at least 2")
     print("| seed | CPU s, first step | CPU s, others | metres | degrees | tint | roughness |")
     print("|---|---|---|---|---|---|---|")
     for seed in range(chosen.seeds):

@@ -30,7 +30,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         # An error now if there is no viewer, and not at the end of the run.
         log.stream.flush(timeout_sec=CONNECTS_WITHIN)
         with log:
-            log.run(folder, follow=given.follow)
+            log.run(folder, follow=given.follow, begun=given.begun)
     except KeyboardInterrupt:
         return 0
     except (OSError, RuntimeError, ValueError, Error) as error:
@@ -50,6 +50,11 @@ def _parser() -> argparse.ArgumentParser:
         "--follow",
         action="store_true",
         help="go on while the optimisation writes; wait for up to a minute if none has begun",
+    )
+    parser.add_argument(
+        "--begun",
+        action="store_true",
+        help="with --follow: the optimisation has begun, so if none writes it is over",
     )
     place = parser.add_mutually_exclusive_group()
     place.add_argument("--save", metavar="FILE.rrd", help="write a recording instead")

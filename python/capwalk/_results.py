@@ -108,7 +108,8 @@ class GradientImage:
         :param limit: where the colours end on both sides, spread evenly, above 0: the same for
             derivatives that are to be compared.
         :raises ArgumentError: the scene was read from this file.
-        :raises ImageError: the file cannot be written, or its name has another ending.
+        :raises ImageError: the file cannot be written, its name has another ending, or the limit of a
+            picture is wrong.
         """
         files = list(self._files)
         _capwalk.write_images(os.fspath(path), self._layers(), self._notes(), files, limit)
@@ -208,7 +209,7 @@ class Check:
     """Samples per pixel of the reference, on each side."""
     references: int
     """How many references were made: 2 if the first contradicted the gradient or left a doubt of
-    it, up to 4 if they contradicted each other as well; one more before it is called wrong. The one
+    it, up to 4 if they contradicted each other as well; one or two more before it is called wrong. The one
     that decided is here."""
     text: str
     """All of this in words, as the command line prints it."""

@@ -76,11 +76,11 @@ class RunFolder:
             return sys.platform == "win32" and isinstance(error, PermissionError)
         return False
 
-    def until_it_ends(self) -> Iterator[None]:
+    def until_it_ends(self, has_begun: bool = False) -> Iterator[None]:
         """Comes back whenever there may be something new, and a last time when the run has ended, or
         when none has begun within a minute."""
         given_up = time.monotonic() + BEGINS_WITHIN
-        has_begun, goes_on = False, True
+        goes_on = True
         while goes_on:
             is_written = self.is_written()
             has_begun |= is_written

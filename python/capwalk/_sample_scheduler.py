@@ -51,12 +51,14 @@ class SampleScheduler:
 
     :param optimizer: any that steps without a closure. Parameters may also be changed after a step, to
         keep them within bounds. Rates of ``torch.optim.lr_scheduler`` are steps at a part of the full
-        rate.
-    :param spp: samples per pixel of the first step, all batches together.
+        rate, the first one (of ``OneCycleLR`` and ``ReduceLROnPlateau`` the present one).
+    :param spp: samples per pixel of the first step, all batches together; rounded up to a multiple of
+        ``batches``, as all counts are.
     :param theta: the relative standard error that the descent of a step may have, above 0.
     :param most: the most samples per pixel of a step; by default 16 times ``spp``.
     :param batches: how many, at least 2. More of them know the noise better, and are more calls.
-    :param seed: of the first batch, 0 to 2**64 - 1. Each batch of each step has the next one.
+    :param seed: of the first batch, 0 to 2**64 - 1. Each batch of each step has the next one. A target
+        that is rendered needs another one.
     :raises ArgumentError: a wrong number.
     """
 

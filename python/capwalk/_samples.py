@@ -77,8 +77,8 @@ class SampleCounts:
             for old, variance, n in zip(self._variances or [0.0] * len(spp), variances, spp)
         ]
         # If there is no descent, the error is to be 0: as many as possible.
-        squared_error = self.theta * self.theta * max(self._squared / self._weight, 0.0)
-        means = [max(variance / self._weight, 0.0) for variance in self._variances]
+        squared_error = self.theta * self.theta * max(0.0, self._squared / self._weight)
+        means = [max(0.0, variance / self._weight) for variance in self._variances]
         both = sum(math.sqrt(v * cost) for v, cost in zip(means, self.costs))
         is_short = False
         for i, (variance, cost) in enumerate(zip(means, self.costs)):

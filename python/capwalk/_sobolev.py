@@ -32,8 +32,8 @@ def sobolev_gradient(gradient: ArrayLike, order: float = 0.75) -> Array:
 
     :param gradient: (height, width) or (height, width, channels), such as :func:`backward` returns it
         for ``<material>.reflectance.data``.
-    :param order: above 0; larger orders smooth more. Order 1 is the implicit diffusion of large steps
-        (Nicolet et al. 2021), for the texels of a texture.
+    :param order: above 0; larger orders smooth more. Order 1 is a step of implicit diffusion; the large
+        steps of Nicolet et al. (2021), for texels, are two of them.
     :raises ArgumentError: another number of dimensions, NaN or infinite numbers, or a wrong order.
     """
     array = numbers("the gradient", gradient)

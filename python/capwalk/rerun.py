@@ -287,7 +287,9 @@ class Log(Closing):
         run = self._run(folder)
         return lambda done, total: self._log_new(run)
 
-    def run(self, folder: str | os.PathLike[str], *, follow: bool = False) -> None:
+    def run(
+        self, folder: str | os.PathLike[str], *, follow: bool = False, begun: bool = False
+    ) -> None:
         """Logs what an optimisation by :func:`capwalk.optimize` or ``capwalk optimize`` has written
         into its folder so far, without what was logged before: of ``record.csv`` losses, lengths of
         the gradient, parameters of up to four numbers and samples per pixel; the pictures in
@@ -296,11 +298,12 @@ class Log(Closing):
         :param follow: go on while another process writes there, twice a second, and return when it
             has ended, by itself or because it was killed. If none writes there yet, wait for up to a
             minute until one begins.
+        :param begun: with ``follow``: it has begun, so if none writes there it has ended.
         :raises FileNotFoundError: there is no run in this folder.
         """
         run = self._run(folder)
         if follow:
-            for _ in run.until_it_ends():
+            for _ in run.until_it_ends(begun):
                 self._log_new(run)
                 self._lay_out()
         if not run.record.exists():

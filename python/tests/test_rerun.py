@@ -261,6 +261,10 @@ def test_the_command_follows_runs(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert recording.keys() == later.keys() and "/world/shapes/leaf" in recording
     assert [i for i, _ in curve(recording, "/loss/loss")] == list(range(5))
     assert all(curve(later, path) == curve(recording, path) for path in recording if "/loss" in path)
+    # It has begun, and nobody writes: it is over, and is not waited for.
+    monkeypatch.setattr(_run_folder, "BEGINS_WITHIN", 1e9)
+    arguments = [str(folder), "--follow", "--begun", "--save", str(tmp_path / "over.rrd")]
+    assert main(arguments) == 0
     # Begun again; a result is there meanwhile, but of the run before.
     job.write_text(job.read_text().replace("iterations = 4", "iterations = 6"))
     recording = followed(folder, lambda: cw.optimize(job, folder, resume=True), monkeypatch)

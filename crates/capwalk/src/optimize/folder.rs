@@ -8,6 +8,7 @@
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use capwalk_inverse::{Iteration, Problem, State, record};
 use capwalk_scene::Image;
@@ -75,7 +76,12 @@ pub fn claim(path: &Path, resume: bool, read: &FilesRead) -> Result<Claimed, Fol
     let mut options = OpenOptions::new();
     let options = options.create(true).write(true).truncate(false);
     let lock = options.open(path.join(LOCK)).map_err(cannot)?;
-    match lock.try_lock() {
+    // Who follows a run asks whether it is locked, and holds the lock for a moment.
+    let locked = lock.try_lock().or_else(|_| {
+        std::thread::sleep(Duration::from_millis(20));
+        lock.try_lock()
+    });
+    match locked {
         Ok(()) => {}
         Err(TryLockError::WouldBlock) => {
             return Err(FolderError::Busy {

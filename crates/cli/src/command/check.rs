@@ -117,7 +117,8 @@ fn reference_text(check: &Check) -> String {
         2 => " (one of two references)",
         3 => " (one of three references)",
         4 => " (one of four references)",
-        _ => " (one of five references)",
+        5 => " (one of five references)",
+        _ => " (one of six references)",
     };
     format!("{}{of}", check.made.describe())
 }

@@ -38,7 +38,7 @@ pub enum Style {
     Diverging(Scale),
 }
 
-/// How a PNG preview looks.
+/// How a preview looks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Preview {
     /// The value is multiplied by `2^exposure` before the sRGB curve; what is
@@ -60,9 +60,9 @@ impl Preview {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Written {
     /// Pixels with an infinity or a NaN in the value or the gradient (in the
-    /// layer that a PNG shows, where they are magenta).
+    /// layer that a picture shows, where they are magenta).
     pub non_finite_pixels: usize,
-    /// Where the false colours of a PNG end.
+    /// Where the false colours of a picture end.
     pub limit: Option<f64>,
 }
 
@@ -197,8 +197,11 @@ fn title(name: &str, metadata: &[(String, String)]) -> String {
         return name.to_owned();
     };
     let turns = parameter.contains(".rotate.");
-    let unit = match (turns, parameter.contains(' ')) {
-        (true, false) => "radian",
+    let is_one = parameter
+        .chars()
+        .all(|c| c.is_alphanumeric() || "._-".contains(c));
+    let unit = match turns && is_one && !parameter.starts_with('-') {
+        true => "radian",
         _ => "unit",
     };
     format!("{name} per {unit} of {parameter}")
@@ -379,6 +382,11 @@ mod tests {
                 GRADIENT,
                 "ball.rotate.z",
                 "gradient per radian of ball.rotate.z",
+            ),
+            (
+                GRADIENT,
+                "0.5*ball.rotate.z",
+                "gradient per unit of 0.5*ball.rotate.z",
             ),
             (
                 GRADIENT,

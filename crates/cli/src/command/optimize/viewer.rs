@@ -3,11 +3,21 @@
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
 
 use anyhow::{Context, Result, bail, ensure};
 
-/// The variable that names the interpreter of Python, unless it is `python3`.
+use crate::progress;
+
+/// The variable that names the interpreter of Python, unless it is [`PYTHON`].
 const INTERPRETER: &str = "CAPWALK_PYTHON";
+/// Virtual environments of Windows have no `python3`.
+const PYTHON: &str = if cfg!(windows) { "python" } else { "python3" };
+/// How long the command waits for the last pictures of a run that is over. The viewer's process goes on
+/// without it.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// How often it looks.
+const OFTEN: Duration = Duration::from_millis(20);
 
 /// The process that follows a run.
 pub struct Viewer {
@@ -41,23 +51,34 @@ impl Viewer {
     /// No process can be started.
     pub fn open(folder: &Path) -> Result<Self> {
         let mut follower = follower();
-        follower.arg(folder).arg("--follow");
+        follower.arg(folder).args(["--follow", "--begun"]);
         // Ctrl-C is for the run alone.
         follower.stdin(Stdio::null()).stdout(Stdio::null());
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut follower, 0);
+        #[cfg(windows)]
+        std::os::windows::process::CommandExt::creation_flags(
+            &mut follower,
+            0x200, // CREATE_NEW_PROCESS_GROUP
+        );
         let process = follower.spawn().with_context(missing)?;
         Ok(Self { process })
     }
 
-    /// Waits until all of the run is shown, after the folder's lock is gone.
+    /// Waits for some seconds until all of the run is shown, after the folder's lock is gone.
     ///
     /// # Errors
     ///
     /// It was not shown, for a reason that the process has printed.
     pub fn finish(mut self) -> Result<()> {
-        let status = self.process.wait()?;
-        ensure!(status.success(), "the run was not shown: {status}");
+        let began = Instant::now();
+        while began.elapsed() < PATIENCE && !progress::interrupted() {
+            if let Some(status) = self.process.try_wait()? {
+                ensure!(status.success(), "the run was not shown: {status}");
+                break;
+            }
+            std::thread::sleep(OFTEN);
+        }
         Ok(())
     }
 }
@@ -69,13 +90,13 @@ fn follower() -> Command {
 }
 
 fn interpreter() -> OsString {
-    std::env::var_os(INTERPRETER).unwrap_or_else(|| "python3".into())
+    std::env::var_os(INTERPRETER).unwrap_or_else(|| PYTHON.into())
 }
 
 fn missing() -> String {
     format!(
         "--view needs the Python package capwalk with its extra `rerun` (pip install \
-         'capwalk[rerun]') in {:?}; {INTERPRETER} names another interpreter",
+         'capwalk[rerun]', in a clone '.[rerun]') in {:?}; {INTERPRETER} names another interpreter",
         interpreter()
     )
 }

@@ -36,7 +36,7 @@ fn a_run_is_followed_to_its_end() {
     assert_eq!(finished.status, 0, "{}", finished.stderr);
     assert_eq!(
         capwalk.bytes("arguments"),
-        b"-m capwalk.rerun run --follow\n"
+        b"-m capwalk.rerun run --follow --begun\n"
     );
     let seen = String::from_utf8(capwalk.bytes("seen")).expect("names");
     assert_has(&seen, &["parameters.npz"]);
