@@ -18,6 +18,7 @@ from ._functions import backward, check, gradient, load_file, load_string, rende
 from ._jobs import Optimization, optimize
 from ._method import Method
 from ._parameters import SceneParameters, traverse
+from ._remesh import Transfer, remesh
 from ._results import Check, GradientImage, Gradients, Image
 from ._sobolev import sobolev_gradient
 from ._steps import Adam, LargeSteps
@@ -60,6 +61,7 @@ __all__ = [
     "Scene",
     "SceneParameters",
     "SceneWarning",
+    "Transfer",
     "Transform",
     "UnreliableWarning",
     "WorkerError",
@@ -73,6 +75,7 @@ __all__ = [
     "load_mesh",
     "load_string",
     "optimize",
+    "remesh",
     "render",
     "save_image",
     "save_mesh",

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, MutableMapping
+from collections.abc import Callable, Mapping, MutableMapping
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _capwalk
 from ._numbers import Array, numbers
@@ -66,7 +66,8 @@ class Adam:
             step, first, second = means.get(name, (0, zero, zero))
             if first.shape != value.shape:
                 text = f"{name} had the shape {first.shape} in the step before"
-                raise ArgumentError(f"{text}, and has {value.shape}; take another Adam for it")
+                text += f", and has {value.shape}; take another Adam for it"
+                raise ArgumentError(f"{text}, or, after remeshing, call transfer")
             new[name], first, second = _capwalk.adam(
                 self, step + 1, value, gradient, [first, second]
             )
@@ -75,6 +76,18 @@ class Adam:
         self._means = means
         for name, array in new.items():
             values[name] = array
+
+    def transfer(self, name: str, transfer: Callable[[Array], Array]) -> None:
+        """Goes on with an array that has other rows than before: replaces the means of its gradient and
+        of its square by ``transfer`` of them, which :func:`capwalk.remesh` returns, and keeps the
+        number of steps. Before the first step there is nothing to do.
+
+        For :class:`LargeSteps` the array is ``u``. It is not interpolated itself: make new large steps
+        of the new mesh, and ``u`` by :meth:`LargeSteps.to_differential`.
+        """
+        if name in self._means:
+            step, first, second = self._means[name]
+            self._means[name] = (step, transfer(first), transfer(second))
 
 
 class LargeSteps:
@@ -98,13 +111,8 @@ class LargeSteps:
     """
 
     def __init__(self, positions: ArrayLike, faces: ArrayLike, lambda_: float = 19.0) -> None:
-        vertices = _rows("positions", positions)
-        triangles = np.asarray(faces)
-        if triangles.dtype.kind not in "iu" or triangles.ndim != 2 or triangles.shape[1] != 3:
-            text = f"faces are {triangles.dtype} of the shape {triangles.shape}"
-            raise ArgumentError(f"{text}; expected integers of the shape (F, 3)")
-        if triangles.size and not 0 <= triangles.min() <= triangles.max() < len(vertices):
-            raise ArgumentError(f"faces name vertices beyond the {len(vertices)} there are")
+        vertices = vertices_of("positions", positions)
+        triangles = triangles_of(faces, len(vertices))
         if not (np.isfinite(lambda_) and lambda_ >= 0.0):
             raise ArgumentError(f"lambda_ is {lambda_}; expected a finite number of at least 0")
         self._smooth = _capwalk.Smooth(vertices, triangles.tolist(), float(lambda_))
@@ -123,16 +131,28 @@ class LargeSteps:
         return self._smooth.pull(self._checked("the gradient", by_positions, 1))
 
     def _checked(self, what: str, value: ArrayLike, side: int) -> Array:
-        array, expected = _rows(what, value), self._smooth.sizes[side]
+        array, expected = vertices_of(what, value), self._smooth.sizes[side]
         if len(array) != expected:
             raise ArgumentError(f"{what} has {len(array)} rows; expected {expected}")
         return array
 
 
-def _rows(what: str, value: ArrayLike) -> Array:
+def vertices_of(what: str, value: ArrayLike) -> Array:
+    """Rows of three finite numbers."""
     array = numbers(what, value)
     if array.ndim != 2 or array.shape[1] != 3:
         raise ArgumentError(f"{what} has the shape {array.shape}; expected rows of three numbers")
     if not np.isfinite(array).all():
         raise ArgumentError(f"{what} has infinite numbers or NaN")
     return array
+
+
+def triangles_of(faces: ArrayLike, count: int) -> NDArray[np.int64]:
+    """Rows of three numbers of vertices, of so many that there are."""
+    triangles = np.asarray(faces)
+    if triangles.dtype.kind not in "iu" or triangles.ndim != 2 or triangles.shape[1] != 3:
+        text = f"faces are {triangles.dtype} of the shape {triangles.shape}"
+        raise ArgumentError(f"{text}; expected integers of the shape (F, 3)")
+    if triangles.size and not 0 <= triangles.min() <= triangles.max() < count:
+        raise ArgumentError(f"faces name vertices beyond the {count} there are")
+    return triangles.astype(np.int64)
