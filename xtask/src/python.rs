@@ -29,6 +29,7 @@ const FRAMEWORKS: &[&str] = &[
     "ray>=2.40",
     "trimesh>=4",
     "rerun-sdk>=0.41",
+    "gpytoolbox>=0.3.8",
     "nbclient>=0.10",
     "ipykernel>=6",
     "matplotlib>=3.8",
@@ -37,8 +38,9 @@ const FRAMEWORKS: &[&str] = &[
     "myst-nb>=1.4",
     "furo>=2025",
 ];
-const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, trimesh, rerun, nbclient, ipykernel, \
-                                     matplotlib, sphinx, sphinx_copybutton, myst_nb, furo";
+const MODULES_OF_FRAMEWORKS: &str = "torch, jax, mitsuba, ray, trimesh, rerun, gpytoolbox, \
+                                     nbclient, ipykernel, matplotlib, sphinx, sphinx_copybutton, \
+                                     myst_nb, furo";
 
 /// The Python of an environment with all that the tests need, or why there is none. Whoever
 /// asks for it first makes it; the others wait.
