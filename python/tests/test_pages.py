@@ -28,12 +28,18 @@ NEEDS = {
     "docs/how-to/custom-loss.md": ["torch"],
     "docs/how-to/many-views.md": ["torch"],
     "docs/how-to/meshes-and-cameras.md": ["trimesh"],
+    "docs/how-to/remeshing.md": ["gpytoolbox"],
     "docs/how-to/see-it-work.md": ["rerun", "torch"],
     "docs/scene-files.md": ["drjit", "mitsuba"],
 }
 """The packages that the code of a page imports besides NumPy."""
 
-FEWER = {r"\bspp=\d+": "spp=2", r"range\(100\)": "range(2)", r"height, fine = 512, 16": "height, fine = 8, 2"}
+FEWER = {
+    r"\bspp=\d+": "spp=2",
+    r"range\(100\)": "range(2)",
+    r"step in \(10, 20, 40, 80\)": "step == 1",
+    r"height, fine = 512, 16": "height, fine = 8, 2",
+}
 """What makes the code of all pages quick: fewer samples, steps and texels."""
 
 BALL = """<scene version="3.0.0">
@@ -82,6 +88,11 @@ def given(page: str, number: int) -> dict[str, Any]:
             ball = cw.load_dict(names["room"] | {"ball": {"type": "sphere"}})
             positions = cw.traverse(ball)["ball.positions"]
             cw.save_mesh("start.ply", {"positions": positions, "faces": ball.faces("ball")})
+        case "docs/how-to/remeshing.md":
+            view = cw.Transform().look_at(origin=[0, 0, 5], target=[0, 0, 0], up=[0, 1, 0])
+            names["room"] = room | {"view": {"type": "perspective", "to_world": view}}
+            ball = cw.load_dict(names["room"] | {"ball": {"type": "sphere"}})
+            names |= {"x": cw.traverse(ball)["ball.positions"], "faces": ball.faces("ball")}
         case "docs/how-to/see-it-work.md":
             # It renders its target.
             del names["target"]
