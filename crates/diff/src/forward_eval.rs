@@ -10,8 +10,8 @@ use capwalk_walk::WalkSettings;
 use crate::adjoint::Wanted;
 use crate::reverse_eval::{likely_motion, likely_motion_of_viewpoint, likely_speed};
 
-/// A velocity that changes no digit of a derivative.
-const HARDLY: f64 = 1e-200;
+/// How much of the largest speed changes no digit of a derivative that is compared.
+const HARDLY: f64 = 1e-12;
 
 /// A number and its derivative with respect to the parameter.
 pub type D = Dual<1>;
@@ -66,24 +66,31 @@ impl<'a> Forward<'a> {
     }
 
     /// Samples like reverse mode, which knows no velocity. To it all of a shape may move that
-    /// is moved somewhere: the rest of it gets velocities too small to count, but not zero.
+    /// is moved somewhere, and all that depends on it, also where velocities vanish: a point of a
+    /// surface that grows within its plane. So what may move gets velocities besides that are too
+    /// small to count, and have no direction in common.
     pub fn blind(self) -> Self {
         let wanted = Wanted::by(self.tangent);
         let may_move = wanted.points(self.accel, self.field.boundaries);
-        let hardly = |velocity: Vec3| match velocity == Vec3::zero() {
-            true => Vec3::splat(HARDLY),
-            false => velocity,
+        let speeds = self.points.iter().map(|velocity| velocity.length());
+        let hardly = HARDLY * speeds.fold(f64::MIN_POSITIVE / HARDLY, f64::max);
+        let besides = |i: usize| {
+            let part = |k: f64| (i as f64 + 1.0) * k % 1.0 - 0.5;
+            Vec3::new(part(0.754_877), part(0.569_840), part(0.430_160)) * hardly
         };
-        let points = self.points.into_iter().zip(&may_move);
-        let points = points.map(|(velocity, &may_move)| match may_move {
-            true => hardly(velocity),
+        let points = self.points.into_iter().enumerate();
+        let points = points.map(|(i, velocity)| match may_move[i] {
+            true => velocity + besides(i),
             false => velocity,
         });
         let scene = &self.accel.scene;
         let normals = self.normals.into_iter().enumerate();
         let normals = normals.map(
             |(shape, velocities)| match wanted.normals_of(scene, shape) {
-                true => velocities.map(|all| all.into_iter().map(hardly).collect()),
+                true => velocities.map(|all| {
+                    let all = all.into_iter().enumerate();
+                    all.map(|(i, velocity)| velocity + besides(i)).collect()
+                }),
                 false => velocities,
             },
         );
