@@ -18,7 +18,8 @@ guess: the meshes (see `MESHES`), the roughness and the place of the mirror, emi
 number of pixels and the length of paths. Their errors have the unit of an unknown scale, and their times are
 those of an unknown machine: neither compares with ours.
 
-Times are seconds of the CPU, with one thread. capwalk's include start, reading, trees and the pilot.
+Times are seconds of the CPU, with one thread. capwalk's include start, reading, trees and the pilot. A short
+run estimates how many samples fit, so its time may differ from S; one column has error times seconds.
 Mitsuba's are those of `render_forward` alone; loading, compiling and building the guiding structure are
 apart, under "set-up". Its derivatives are means over passes of 2^18 boundary samples and a quarter as many of
 the interior, the proportion in the example of its documentation. None are of primary boundaries, because
@@ -210,7 +211,7 @@ def in_capwalk(capwalk: str, file: Path, method: str, seconds: float, seed: int)
     few = 2
     start, _ = gradient(capwalk, file, method, few, seed + 1)
     spp, spent = few, start
-    while spent < start + seconds / 32 and start < seconds:
+    while spent < start + seconds / 16 and start < seconds:
         spp *= 2
         spent, _ = gradient(capwalk, file, method, spp, seed + 1)
     each = max(spent - start, 1e-6) / max(spp - few, 1)
@@ -420,10 +421,11 @@ def rows_of(name: str, triangles: int, measured: Measured) -> list[str]:
         cells = [name, f"{triangles:,}", found.name, f"{found.spp}", f"{found.seconds:.0f}", f"{found.set_up:.1f}"]
         if found is differences:
             # Its own noise, without the bias of the step.
-            cells += [f"{stated:.3g}", f"{stated / square:.1%}", "-", "-", "-"]
+            cells += [f"{stated:.3g}", f"{stated / square:.1%}", f"{stated * found.seconds:.3g}", "-", "-", "-"]
         else:
             error, spread = squared_error(found, differences)
-            cells += [f"{error:.3g} ± {spread:.1g}", f"{error / square:.1%}", f"{error / stated:.2f}"]
+            cells += [f"{error:.3g} ± {spread:.1g}", f"{error / square:.1%}"]
+            cells += [f"{error * found.seconds:.3g}", f"{error / stated:.2f}"]
             cells += agreement(found, differences)
         lines.append(f"| {' | '.join(cells)} |")
     return lines
@@ -431,8 +433,8 @@ def rows_of(name: str, triangles: int, measured: Measured) -> list[str]:
 
 HEAD = """
 | scene | triangles | derivative | samples per pixel | CPU s | set-up, s | mean squared error | of the mean square | \
-of what is stated | factor to differences | mean z² |
-|---|---|---|---|---|---|---|---|---|---|---|"""
+error × s | of what is stated | factor to differences | mean z² |
+|---|---|---|---|---|---|---|---|---|---|---|---|"""
 
 
 def draw(measured: Measured, output: Path) -> None:
