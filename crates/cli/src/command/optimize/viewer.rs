@@ -69,17 +69,17 @@ impl Viewer {
     ///
     /// # Errors
     ///
-    /// It was not shown, for a reason that the process has printed.
+    /// It was not shown, for a reason that the process has printed, or not all of it yet.
     pub fn finish(mut self) -> Result<()> {
         let began = Instant::now();
         while began.elapsed() < PATIENCE && !progress::interrupted() {
             if let Some(status) = self.process.try_wait()? {
                 ensure!(status.success(), "the run was not shown: {status}");
-                break;
+                return Ok(());
             }
             std::thread::sleep(OFTEN);
         }
-        Ok(())
+        bail!("the viewer is slow: the last pictures of the run follow by themselves")
     }
 }
 

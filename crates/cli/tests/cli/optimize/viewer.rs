@@ -34,6 +34,7 @@ fn a_run_is_followed_to_its_end() {
          ls run > seen\n",
     );
     assert_eq!(finished.status, 0, "{}", finished.stderr);
+    assert!(!finished.stderr.contains("slow"), "{}", finished.stderr);
     assert_eq!(
         capwalk.bytes("arguments"),
         b"-m capwalk.rerun run --follow --begun\n"
