@@ -254,6 +254,8 @@ struct Finished {
 /// Runs the built command.
 fn capwalk(arguments: &[&str]) -> Finished {
     let mut command = Command::new(env!("CARGO_BIN_EXE_capwalk"));
+    // A picture of a check is written where it runs.
+    command.current_dir(env!("CARGO_TARGET_TMPDIR"));
     let done = command.args(arguments).output().expect("it starts");
     let text = |bytes: Vec<u8>| String::from_utf8(bytes).expect("text");
     Finished {
