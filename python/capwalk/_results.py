@@ -22,10 +22,6 @@ Layers = list[tuple[str, Array]]
 Notes = list[tuple[str, str]]
 """What is said of a file, by keys."""
 
-LEAST_WIDTH = 384
-"""Images that are narrower than this are enlarged by a whole factor in notebooks, pixels, as the module
-enlarges those in previews."""
-
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Image:
@@ -60,7 +56,8 @@ class Image:
         _capwalk.write_images(os.fspath(path), layers, notes, list(self._files), None)
 
     def _repr_png_(self) -> bytes:
-        factor = -(-LEAST_WIDTH // self.value.shape[1])
+        # As previews are enlarged.
+        factor = -(-_capwalk.LEAST_WIDTH // self.value.shape[1])
         return _capwalk.png(self.value.repeat(factor, axis=0).repeat(factor, axis=1), None)
 
 

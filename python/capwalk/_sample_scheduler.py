@@ -8,8 +8,8 @@ from typing import Any
 
 import torch  # type: ignore[import-not-found, unused-ignore]
 
+from ._capwalk import NoDescent, SampleCounts
 from ._options import LARGEST_COUNT, LARGEST_SEED, integer
-from ._samples import NoDescent, SampleCounts
 from .errors import ArgumentError
 
 LEAST_OF_BATCH = 2
@@ -63,7 +63,8 @@ class SampleScheduler:
     """
 
     no_descent: NoDescent | None
-    """That the descent cannot be told from zero, with ``mean``, ``error`` and ``steps``; None otherwise."""
+    """That the descent cannot be told from zero, with its ``mean`` over the last ``steps``, at the full learning rate,
+    and the standard ``error`` of that; None otherwise."""
     descent: float
     """The descent of the last step; NaN if there was none before it."""
     descent_stderr: float
@@ -86,9 +87,10 @@ class SampleScheduler:
         if not (math.isfinite(theta) and theta > 0.0):
             raise ArgumentError(f"theta is {theta}; expected a finite number above 0")
         self._counts = SampleCounts(
-            [spp / self._batches], theta, [LEAST_OF_BATCH], most // self._batches
+            (1.0, spp / self._batches), theta, (1, LEAST_OF_BATCH), most // self._batches
         )
-        """Of the samples per pixel of a batch."""
+        """Of the samples per pixel of a batch. Its noise, of image and gradient together, counts as that of
+        gradients, as if images had none."""
         self._seed = integer("seed", seed, 0, LARGEST_SEED)
         self._before: list[tuple[Any, Any, float]] = []
         """Parameters with their values before the last step, and the part of the full rate it had."""
@@ -97,7 +99,7 @@ class SampleScheduler:
     @property
     def spp(self) -> int:
         """Samples per pixel of the next step, all batches together."""
-        return self._counts.spp()[0] * self._batches
+        return self._counts.spp()[1] * self._batches
 
     def step(self, loss_of: Callable[[int, int], torch.Tensor]) -> torch.Tensor:
         """Takes a step.
@@ -112,7 +114,7 @@ class SampleScheduler:
             (parameter, (parameter.detach() - before).double() / factor)
             for parameter, before, factor in self._before
         ]
-        [spp_of_batch] = self._counts.spp()
+        _, spp_of_batch = self._counts.spp()
         losses: list[torch.Tensor] = []
         descents: list[float] = []
         sums: list[torch.Tensor | None] = [None] * len(parameters)
@@ -150,7 +152,7 @@ class SampleScheduler:
         squares = sum((descent - self.descent) ** 2 for descent in descents)
         variance = squares / (count - 1) / count
         self.descent_stderr = math.sqrt(variance)
-        self._counts.learn(self.descent, [variance])
+        self._counts.learn(self.descent, (0.0, variance))
         self.no_descent = self._counts.no_descent()
 
 

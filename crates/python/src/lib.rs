@@ -11,6 +11,7 @@ mod jobs;
 mod mesh;
 mod parts;
 mod results;
+mod samples;
 mod scene;
 mod seed;
 mod steps;
@@ -23,11 +24,15 @@ mod _capwalk {
     #[pymodule_export]
     use crate::image::{limit, png, preview, read_image, write_images};
     #[pymodule_export]
+    const LEAST_WIDTH: usize = capwalk::scene_io::image::LEAST_WIDTH;
+    #[pymodule_export]
     use crate::jobs::optimize;
     #[pymodule_export]
     use crate::mesh::{read_mesh, write_mesh};
     #[pymodule_export]
     use crate::parts::{choose, merge, part};
+    #[pymodule_export]
+    use crate::samples::{NoDescent, SampleCounts};
     #[pymodule_export]
     use crate::scene::{Scene, bsdf_plugins, load_file, load_lines, load_string};
     #[pymodule_export]

@@ -33,7 +33,8 @@ pub use file::{ImageFile, check_writable, read, write};
 pub use format::is_picture;
 pub use layered::{GRADIENT, Layer, LayeredImage, VALUE};
 pub use panel::{
-    Panel, Preview, Style, Written, colour_bar_as_png, pixels_as_png, preview_as_png, write_panels,
+    LEAST_WIDTH, Panel, Preview, Style, Written, colour_bar_as_png, pixels_as_png, preview_as_png,
+    write_panels,
 };
 pub use tone::{Scale, photographic};
 

@@ -253,7 +253,7 @@ fn coloured(image: &Image, style: Style) -> Raster {
 }
 
 /// Images that are narrower than this are enlarged by a whole factor, pixels.
-const LEAST_WIDTH: usize = 384;
+pub const LEAST_WIDTH: usize = 384;
 /// Height of a title, pixels at scale 1.
 const TITLE: usize = 10;
 /// Width of a colour bar, pixels at scale 1.
