@@ -81,7 +81,7 @@ def found(scene: cw.Scene, steps: int, spp: int, spp_grad: int, seed: int) -> st
         values = {"cube.positions": moved, "metal.specular_reflectance.value": tint, "metal.alpha.value": alpha}
         number = 2 * (seed * steps + step)
         images = capwalk.torch.render(scene, values, views=views, spp=spp, spp_grad=spp_grad, seed=number)
-        (images - target).square().mean().backward()
+        torch.autograd.backward((images - target).square().mean())
         adam.step()
         schedule.step()
 

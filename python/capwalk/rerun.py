@@ -44,9 +44,10 @@ try:
     import rerun as rr  # type: ignore[import-not-found, unused-ignore]
     import rerun.blueprint as rrb  # type: ignore[import-not-found, unused-ignore]
 except ImportError as error:
+    missing = "capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'"
     if __name__ == "__main__":
-        sys.exit("capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'")
-    raise ImportError("capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'") from error
+        sys.exit(missing)
+    raise ImportError(missing) from error
 
 from . import _capwalk
 from ._closing import Closing
