@@ -5,7 +5,7 @@ after equal times, in the manner of "Quadric-Based Silhouette Sampling for Diffe
     python python/benchmarks/quadric.py CAPWALK [--scenes NAME ...] [--seconds S] [--size WxH] [--alpha A]
         [--mesh FILE] [--seed-spp N] [--without-mitsuba] [--figure FOLDER]
 
-CAPWALK is the program. If there is a package `mitsuba`, the derivatives of its `prb_projective` are measured
+CAPWALK is the program; the package `capwalk` reads and writes meshes. If there is a package `mitsuba`, the derivatives of its `prb_projective` are measured
 as well, in the variant `llvm_ad_rgb`. Prints a table in Markdown; with `--figure` (needs the package
 `matplotlib`) writes a strip of images for each scene.
 
@@ -42,6 +42,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import capwalk as cw
 import numpy as np
 from bunny import bunny as round_bunny
 
@@ -140,37 +141,17 @@ MESHES: dict[str, Callable[[], Triangles]] = {"bunny": round_bunny, "cube": cube
 about 7 and 10 times as many triangles as a bunny, of which the usual one has 69,451."""
 
 
-def read_obj(file: Path) -> Triangles:
-    """Vertices and triangles of a Wavefront file, or of one in the format PLY if there is `trimesh`."""
-    if file.suffix != ".obj":
-        import trimesh
-
-        mesh: Any = trimesh.load(file, force="mesh")
-        return np.asarray(mesh.vertices), np.asarray(mesh.faces)
-    points: list[list[float]] = []
-    faces: list[list[int]] = []
-    for line in file.read_text().splitlines():
-        match line.split():
-            case ["v", *numbers]:
-                points.append([float(number) for number in numbers[:3]])
-            case ["f", *corners]:
-                ids = [int(corner.split("/")[0]) for corner in corners]
-                ids = [number - 1 if number > 0 else len(points) + number for number in ids]
-                faces += [[ids[0], ids[i], ids[i + 1]] for i in range(1, len(ids) - 1)]
-    return np.array(points), np.array(faces)
+def read_mesh(file: Path) -> Triangles:
+    mesh = cw.load_mesh(file)
+    return mesh["positions"], mesh["faces"]
 
 
-def write_ply(file: Path, mesh: Triangles) -> None:
+def write_mesh(file: Path, mesh: Triangles) -> None:
     """Writes a mesh, moved to the origin and scaled to its height."""
     points, faces = mesh
     low, high = points.min(axis=0), points.max(axis=0)
     points = (points - (low + high) / 2) * (HEIGHT / (high - low)[1])
-    head = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(points)}\n"
-    head += "".join(f"property float {name}\n" for name in "xyz")
-    head += f"element face {len(faces)}\nproperty list uchar int vertex_indices\nend_header\n"
-    rows = np.empty(len(faces), dtype=[("count", "u1"), ("corners", "<i4", 3)])
-    rows["count"], rows["corners"] = 3, faces
-    file.write_bytes(head.encode() + points.astype("<f4").tobytes() + rows.tobytes())
+    cw.save_mesh(file, {"positions": points, "faces": faces})
 
 
 class Estimate(NamedTuple):
@@ -483,7 +464,7 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=130)
     parser.add_argument("--size", default="128x96", help="pixels of the image")
     parser.add_argument("--alpha", type=float, default=0.05, help="roughness of the mirror")
-    parser.add_argument("--mesh", type=Path, help="the bunny: an .obj file, or a .ply file if there is `trimesh`")
+    parser.add_argument("--mesh", type=Path, help="the bunny: a file of any format that capwalk reads")
     parser.add_argument("--seed-spp", type=int, default=512, help="of Mitsuba's guiding")
     parser.add_argument("--without-mitsuba", action="store_true")
     parser.add_argument("--figure", type=Path, help="a folder for images")
@@ -492,11 +473,11 @@ def main() -> None:
     has_mitsuba = not chosen.without_mitsuba and is_installed("mitsuba")
     lines = []
     for name in chosen.scenes:
-        mesh = read_obj(chosen.mesh) if chosen.mesh and name == "bunny" else MESHES[name]()
+        mesh = read_mesh(chosen.mesh) if chosen.mesh and name == "bunny" else MESHES[name]()
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "scene.xml")
             file.write_text(SCENE.format(width=width, height=height, alpha=chosen.alpha))
-            write_ply(Path(folder, "thing.ply"), mesh)
+            write_mesh(Path(folder, "thing.ply"), mesh)
             measured = measure(chosen.capwalk, file, chosen.seconds, has_mitsuba, chosen.seed_spp)
         lines += rows_of(name, len(mesh[1]), measured)
         for line in lines[-len(measured.rows) - 1 :]:
