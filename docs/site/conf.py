@@ -36,6 +36,8 @@ copybutton_prompt_is_regexp = True
 html_theme = "furo"
 html_title = "capwalk"
 html_favicon = "favicon.svg"
+html_static_path = ["static"]
+html_css_files = ["wide.css"]
 
 
 def without_links_outside(app, page, source):
