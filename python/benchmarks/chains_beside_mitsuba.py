@@ -9,14 +9,16 @@ same files. Prints a table in Markdown, from N runs of each with random numbers 
 factors from capwalk's derivative to differences of Mitsuba's `path` and to the derivative of
 `prb_projective`, which gets a quarter of the samples, and the mean z² between derivative and
 differences. The steps are those of the scenes, times H. With `--figure`, the scene `FIGURE` is drawn
-instead and its factor to differences printed, with one run of `prb_projective` without guiding; this
-needs the package `matplotlib`."""
+instead, by the means over all runs, with CPU seconds and errors; differences have four times the runs,
+and `prb_projective` has no guiding. This needs the package `matplotlib`."""
 
 from __future__ import annotations
 
 import argparse
+import os
 import subprocess
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -48,13 +50,14 @@ def diffuse(colour: str) -> str:
 
 
 def shape(kind: str, name: str, place: str, rest: str) -> str:
-    """A shape, placed by what is inside of its transform."""
-    file = '<string name="filename" value="ball.ply"/>' if kind == "ply" else ""
+    """A shape of Mitsuba's, or one from a file, placed by what is inside of its transform."""
+    file = f'<string name="filename" value="{kind}"/>' if kind.endswith(".ply") else ""
+    kind = "ply" if file else kind
     return f'<shape type="{kind}" id="{name}">{file}<transform name="to_world">{place}</transform>{rest}</shape>\n'
 
 
 def ball(name: str, material: str, radius: float, centre: str, move: str = "") -> str:
-    return shape("ply", name, f'<scale value="{radius}"/><translate value="{centre}"/>{move}', material)
+    return shape("ball.ply", name, f'<scale value="{radius}"/><translate value="{centre}"/>{move}', material)
 
 
 def cube(name: str, colour: str, size: float, centre: str, move: str = "") -> str:
@@ -123,7 +126,7 @@ SCENES = {
     "glass ball before things": Scene("ball", 1e-4, TILTED, DAYLIGHT + ball("ball", GLASS, 1, MIDDLE, MOVE) + THINGS),
 }
 FIGURE = Scene(
-    "cube",
+    "star",
     2e-3,
     {"fov": 31, "eye": "0.2, 2.2, 6.2", "target": "0.15, 0.62, 0", "up": "0, 1, 0"},
     FLOOR
@@ -132,12 +135,18 @@ FIGURE = Scene(
     + shape("rectangle", "wall", '<scale value="6"/><translate z="-3"/>', diffuse("0.75, 0.62, 0.4"))
     + ball("mirror", MIRROR, 0.9, "-0.75, 0.9, -0.4")
     + ball("glass", GLASS, 0.42, "0.85, 0.42, 1.5")
-    + ball("round", diffuse("0.3, 0.6, 0.2"), 0.25, "-0.6, 0.25, 1.2")
-    + cube("cube", RED, 0.35, "0.6, 0.35, 0.1", MOVE)
+    + shape(
+        "star.ply",
+        "star",
+        f'<scale value="0.55"/><rotate y="1" angle="-35"/><translate value="0.65, 0.6, 0.1"/>{MOVE}',
+        f'<bsdf type="twosided">{diffuse(RED)}</bsdf>',
+    )
     + cube("other", BLUE, 0.4, "1.75, 0.4, -0.9"),
     (192, 144),
-    6,
+    5,
 )
+"""What moves is flat, so that `prb_projective` is right where the camera sees it directly. Of a
+cube whose faces share vertices it loses the edges between two faces in view."""
 
 
 def ball_file(rows: int = 64, columns: int = 128) -> str:
@@ -153,11 +162,24 @@ def ball_file(rows: int = 64, columns: int = 128) -> str:
     for row in range(0, last, columns):
         a, b, c, d = row + j, row + k, row + columns + j, row + columns + k
         faces += [np.stack([a, b, c], -1), np.stack([b, d, c], -1)]
-    triangles = np.concatenate(faces)
+    return ply(points, points, np.concatenate(faces))
+
+
+def star_file() -> str:
+    """A flat star with five points of radius 1."""
+    turn = np.pi / 5 * np.arange(10)
+    radius = np.where(np.arange(10) % 2 == 0, 1, 0.5)
+    corners = np.stack([radius * np.sin(turn), radius * np.cos(turn), 0 * turn], -1)
+    points = np.concatenate([corners, [[0, 0, 0]]])
+    normals = np.tile([0, 0, 1], (11, 1))
+    return ply(points, normals, np.array([[10, (corner + 1) % 10, corner] for corner in range(10)]))
+
+
+def ply(points: np.ndarray, normals: np.ndarray, triangles: np.ndarray) -> str:
     lines = ["ply", "format ascii 1.0", f"element vertex {len(points)}"]
     lines += [f"property float {name}" for name in ("x", "y", "z", "nx", "ny", "nz")]
     lines += [f"element face {len(triangles)}", "property list uchar int vertex_indices", "end_header"]
-    lines += [" ".join(f"{number:.9g}" for number in (*point, *point)) for point in points]
+    lines += [" ".join(f"{number:.9g}" for number in row) for row in np.hstack([points, normals])]
     lines += ["3 {} {} {}".format(*face) for face in triangles]
     return "\n".join(lines) + "\n"
 
@@ -212,9 +234,8 @@ def weights(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return 1 / (noise + 1e-3 * noise.mean())
 
 
-def factor(a: np.ndarray, b: np.ndarray) -> str:
+def factor(a: np.ndarray, b: np.ndarray, weight: np.ndarray) -> tuple[float, float]:
     """The factor from one image to another, and its standard error by the jackknife over runs."""
-    weight = weights(a, b)
 
     def of(a: np.ndarray, b: np.ndarray) -> float:
         # Products of a run with itself would count the noise of the derivative as part of it.
@@ -222,7 +243,20 @@ def factor(a: np.ndarray, b: np.ndarray) -> str:
         return float(np.sum(weight * a.mean(axis=0) * b.mean(axis=0)) * len(a) * (len(a) - 1) / products)
 
     without = [of(np.delete(a, i, axis=0), np.delete(b, i, axis=0)) for i in range(len(a))]
-    return f"{of(a, b):.4f} ± {np.sqrt((len(a) - 1) * np.var(without)):.4f}"
+    return of(a, b), float(np.sqrt((len(a) - 1) * np.var(without)))
+
+
+def written(numbers: tuple[float, float]) -> str:
+    return "{:.4f} ± {:.4f}".format(*numbers)
+
+
+def errors(runs: np.ndarray, differences: np.ndarray) -> tuple[float, float]:
+    """The root mean square error of the mean over the runs, less the noise of the differences, and that of noise alone;
+    both over the root mean square of the differences."""
+    noise = variance(differences).sum()
+    squares = (differences.mean(axis=0) ** 2).sum() - noise
+    error = ((runs.mean(axis=0) - differences.mean(axis=0)) ** 2).sum() - noise
+    return float(np.sqrt(error / squares)), float(np.sqrt(variance(runs).sum() / squares))
 
 
 def mean_z2(a: np.ndarray, b: np.ndarray) -> str:
@@ -235,40 +269,83 @@ def mean_z2(a: np.ndarray, b: np.ndarray) -> str:
     return f"{mean:.2f} ± {np.sqrt(np.sum(off**2)) / np.sum(weight * expected):.2f}"
 
 
-def draw(image: np.ndarray, ours: np.ndarray, differences: np.ndarray, theirs: np.ndarray, output: Path) -> None:
-    """Five panels side by side: colours, means over the channels of derivatives, and their difference."""
+def cpu_seconds() -> float:
+    """Of this process and of those that it waited for."""
+    return sum(os.times()[:4])
+
+
+def timed(run: Callable[[int], np.ndarray], seeds: range) -> tuple[np.ndarray, float]:
+    """Means over the channels of all runs, and their CPU seconds, without a first run that compiles kernels."""
+    run(0)
+    start = cpu_seconds()
+    runs = np.array([run(seed).mean(axis=-1, keepdims=True) for seed in seeds])
+    return runs, cpu_seconds() - start
+
+
+def balls(file: Path) -> np.ndarray:
+    """The pixels of `FIGURE` whose centres see one of the balls."""
+    loaded = mi.load_file(str(file))
+    width, height = FIGURE.size
+    column, row = np.meshgrid((np.arange(width) + 0.5) / width, (np.arange(height) + 0.5) / height)
+    rays, _ = loaded.sensors()[0].sample_ray(0, 0, mi.Point2f(column.ravel(), row.ravel()), mi.Point2f(0.5))
+    hit = loaded.ray_intersect(rays).shape
+    seen = [hit == mi.ShapePtr(shape) for shape in loaded.shapes() if shape.id() in ("mirror", "glass")]
+    return np.array(seen[0] | seen[1]).reshape(height, width)
+
+
+def figure(capwalk: str, file: Path, runs: int, spp: int, mitsuba_spp: int, step: float, output: Path) -> None:
+    """Draws `FIGURE`, and prints the numbers of its labels."""
+    file.write_text(FIGURE.text())
+    differences, spent = timed(lambda seed: difference(file, step, mitsuba_spp, seed), range(1, 4 * runs + 1))
+    differences = differences.reshape(runs, 4, *differences.shape[1:]).mean(axis=1)
+    # Weights from the noise of a derivative would favour runs that missed its rare large samples.
+    in_balls = balls(file)[..., None] * weights(differences, differences)
+    said = ["of Mitsuba's images,", f"{spent:.0f} CPU s: the reference"]
+    panels = [("Finite differences", said, differences.mean(axis=0))]
+    for name, run in {
+        "Mitsuba, prb_projective": lambda seed: projective(file, FIGURE, mitsuba_spp // 4, seed, guiding="none"),
+        "capwalk": lambda seed: derivative(capwalk, file, FIGURE, spp, seed),
+    }.items():
+        found, spent = timed(run, range(1, runs + 1))
+        (error, noise), part = errors(found, differences), factor(differences, found, in_balls)
+        print(f"{name}: {spent:.0f} CPU s, error {error:.3f}, of noise {noise:.3f}, found in the balls {written(part)}")
+        said = [
+            f"{spent:.0f} CPU s, error {100 * error:.0f} %",
+            f"found in balls: {round(100 * part[0])} ± {round(100 * part[1])} %",
+        ]
+        panels.append((name, said, found.mean(axis=0)))
+    noise = np.sqrt(variance(differences).sum() / (differences.mean(axis=0) ** 2).sum())
+    print(f"noise of the differences: {noise:.3f}")
+    image = mi.Bitmap(mi.render(mi.load_file(str(file)), spp=mitsuba_spp))
+    colours = np.array(image.convert(component_format=mi.Struct.Type.UInt8, srgb_gamma=True))
+    draw([("Image", ["The red star moves", "to the right."], colours), *panels], output)
+
+
+def draw(panels: list[tuple[str, list[str], np.ndarray]], output: Path) -> None:
+    """An image, its differences and derivatives side by side, below their names and two lines of text each."""
     from matplotlib import pyplot
 
-    a, b = (runs.mean(axis=-1, keepdims=True) for runs in (ours, differences))
-    error = np.sqrt(around(variance(a) + variance(b)))[..., 0]
-    means = [a.mean(axis=0)[..., 0], theirs.mean(axis=-1), b.mean(axis=0)[..., 0]]
-    most = np.percentile(np.abs(means[0]), 98.5)
-    colours = np.array(mi.Bitmap(image).convert(component_format=mi.Struct.Type.UInt8, srgb_gamma=True))
-    names = ["image", "derivative, capwalk", "derivative, Mitsuba", "differences, Mitsuba", "z, by the noise around"]
-    panels = [colours, *means, (means[0] - means[2]) / np.maximum(error, 1e-30)]
-    height, width = error.shape
-    pad, bar, title, dots = 6, 38, 16, 100
-    whole = np.array([5 * (width + pad) + 2 * bar, height + title + pad])
-    figure = pyplot.figure(figsize=tuple(whole / dots), dpi=2 * dots)
+    most = float(f"{np.percentile(np.abs(panels[1][2]), 99):.1g}")
+    height, width = panels[0][2].shape[:2]
+    pad, bar, text, dots = 6, 40, 50, 100
+    whole = np.array([len(panels) * (width + pad) + bar, height + text + pad])
+    drawn = pyplot.figure(figsize=tuple(whole / dots), dpi=2 * dots)
 
     def place(left: float, wide: float) -> Any:
-        axes = figure.add_axes((left / whole[0], pad / whole[1], wide / whole[0], height / whole[1]))
-        axes.tick_params(labelsize=6, length=2, pad=1, width=0.5)
+        axes = drawn.add_axes((left / whole[0], pad / whole[1], wide / whole[0], height / whole[1]))
+        axes.tick_params(labelsize=8, length=2, pad=1, width=0.5)
         return axes
 
-    left = pad / 2
-    for name, panel, limit in zip(names, panels, [None, most, most, most, 4.0], strict=True):
-        axes = place(left, width)
+    for number, (name, said, panel) in enumerate(panels):
+        axes = place(pad / 2 + number * (width + pad), width)
         axes.set(xticks=[], yticks=[])
-        axes.set_title(name, fontsize=8, loc="left", pad=3)
-        shown = axes.imshow(
-            panel, cmap=pyplot.get_cmap("RdBu_r", 33), vmin=-(limit or 1), vmax=limit, interpolation="nearest"
-        )
-        left += width + pad
-        if panel is panels[3] or panel is panels[4]:
-            figure.colorbar(shown, cax=place(left - pad + 3, 6)).outline.set_linewidth(0.5)
-            left += bar
-    figure.savefig(output, pil_kwargs={"optimize": True})
+        axes.text(0, 1 + 35 / height, name, fontsize=9.5, weight="bold", transform=axes.transAxes)
+        for above, line in zip((20, 5), said, strict=True):
+            axes.text(0, 1 + above / height, line, fontsize=9, transform=axes.transAxes)
+        shown = axes.imshow(panel, cmap=pyplot.get_cmap("RdBu_r", 33), vmin=-most, vmax=most, interpolation="nearest")
+    place_of_bar = place(len(panels) * (width + pad) + 1, 7)
+    drawn.colorbar(shown, cax=place_of_bar, ticks=[-most, 0, most]).outline.set_linewidth(0.5)
+    drawn.savefig(output, pil_kwargs={"optimize": True})
 
 
 def main() -> None:
@@ -287,6 +364,7 @@ def main() -> None:
     seeds, spp = range(1, chosen.runs + 1), chosen.mitsuba_spp
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "ball.ply").write_text(ball_file())
+        Path(folder, "star.ply").write_text(star_file())
         file = Path(folder, "scene.xml")
 
         def found(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
@@ -297,11 +375,7 @@ def main() -> None:
             return np.array(ours), np.array(differences)
 
         if chosen.figure:
-            ours, differences = found(FIGURE)
-            theirs = projective(file, FIGURE, spp // 4, 1, guiding="none")
-            image = np.array(mi.render(mi.load_file(str(file)), spp=spp))
-            draw(image, ours, differences, theirs, chosen.figure)
-            print(f"factor to differences: {factor(ours, differences)}")
+            figure(chosen.capwalk, file, chosen.runs, chosen.spp, spp, chosen.step * FIGURE.step, chosen.figure)
             return
         print("| scene | moves | to differences | mean z² | to `prb_projective` |\n|---|---|---|---|---|")
         for name in chosen.scenes:
@@ -310,8 +384,9 @@ def main() -> None:
             last = "-"
             if scene.moves != "sensor":
                 theirs = np.array([projective(file, scene, spp // 4, seed) for seed in seeds])
-                last = factor(ours, theirs)
-            row = [name, scene.moves, factor(ours, differences), mean_z2(ours, differences), last]
+                last = written(factor(ours, theirs, weights(ours, theirs)))
+            first = written(factor(ours, differences, weights(ours, differences)))
+            row = [name, scene.moves, first, mean_z2(ours, differences), last]
             print(f"| {' | '.join(row)} |", flush=True)
 
 
