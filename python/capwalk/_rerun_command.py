@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from .errors import Error
@@ -67,4 +69,24 @@ def _log(given: argparse.Namespace) -> Log:
         return Log.save(given.save)
     if given.connect is not None:
         return Log.connect(given.connect)
-    return Log.spawn()
+    with _files_closed():
+        return Log.spawn()
+
+
+@contextmanager
+def _files_closed() -> Iterator[None]:
+    """Processes that are started here write to terminals of this one alone. The viewer stays open: a pipe that
+    it held would never end."""
+    kept: list[tuple[int, int]] = []
+    nothing = os.open(os.devnull, os.O_WRONLY)
+    try:
+        for number in (1, 2):
+            if not os.isatty(number):
+                kept.append((number, os.dup(number)))
+                os.dup2(nothing, number)
+        yield
+    finally:
+        for number, before in kept:
+            os.dup2(before, number)
+            os.close(before)
+        os.close(nothing)

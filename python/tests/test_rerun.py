@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import os
+import signal
 import subprocess
 import sys
 from collections.abc import Callable
@@ -353,3 +355,17 @@ runpy.run_module('capwalk.rerun', run_name='__main__')"""
     ran = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert ran.returncode == 1
     assert ran.stderr == "capwalk.rerun needs Rerun: pip install 'capwalk[rerun]'\n"
+
+
+def test_viewers_hold_no_pipe() -> None:
+    """What ``--view`` starts outlives it: a pipe on its output ends all the same."""
+    program = """
+import subprocess, sys
+from capwalk._rerun_command import _files_closed
+with _files_closed():
+    viewer = subprocess.Popen([sys.executable, "-c", "import time; print('here'); time.sleep(60)"])
+print(viewer.pid)
+"""
+    command = [sys.executable, "-c", program]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=30, check=True)
+    os.kill(int(done.stdout), signal.SIGTERM)
