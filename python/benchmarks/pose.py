@@ -97,8 +97,8 @@ def found(scene: cw.Scene, steps: int, spp: int, spp_grad: int, seed: int) -> st
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--width", type=int, default=64)
-    parser.add_argument("--spp", type=int, default=8)
-    parser.add_argument("--spp-grad", type=int, default=8)
+    parser.add_argument("--spp", type=int, default=32)
+    parser.add_argument("--spp-grad", type=int, default=3)
     parser.add_argument("--steps", type=int, default=100)
     parser.add_argument("--seeds", type=int, default=1)
     chosen = parser.parse_args()
