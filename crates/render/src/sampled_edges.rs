@@ -11,6 +11,7 @@ use capwalk_boundary::{
 use capwalk_geometry::add_effort;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
+use capwalk_scene::lobe::Lobe;
 
 use crate::emitter_edge_term::{emitted_and_reflected, emitted_past, reflected_environment};
 use crate::half_vector::{Following, direction_along};
@@ -24,8 +25,10 @@ pub const IN_PLANE: f64 = 1e-9;
 /// The effort of weighing a piece: BSDF and cosine are evaluated.
 const EFFORT_OF_PIECE: u64 = 4;
 
-/// Length of the longest piece that has one sampling weight, radians: lobes are narrow.
+/// Length of the longest piece that has one sampling weight, radians, where lobes are narrow.
 pub const PIECE: f64 = 0.05;
+/// The same where they are wide.
+const LONGEST_PIECE: f64 = 0.4;
 /// Length of the longest piece at diffuse surfaces, radians.
 pub const DIFFUSE_PIECE: f64 = 0.2;
 /// The most pieces of one edge.
@@ -190,6 +193,28 @@ pub struct SampledEdges {
     pieces: SilhouettePieces,
 }
 
+/// Length of the longest piece at a vertex, radians: as long as its narrowest lobe is wide.
+fn longest_piece(vertex: &Vertex<f64>) -> f64 {
+    let bsdf = &vertex.bsdf;
+    if bsdf.is_diffuse() {
+        return DIFFUSE_PIECE;
+    }
+    let is_known = |lobe: &Lobe| lobe.has_facets() || !lobe.is_glossy();
+    if vertex.transmits || !bsdf.lobes().all(|(_, lobe)| is_known(lobe)) {
+        return PIECE;
+    }
+    // Facets of the roughness α reflect to about 2 α around the mirror direction, times the cosine to the sides.
+    let Vec3 { x, y, z } = vertex.wi;
+    let (wi, mirror) = (Vec3::new(x, y, z.abs()), Vec3::new(-x, -y, z.abs()));
+    let mut alpha2 = f64::INFINITY;
+    bsdf.mirrored(wi, mirror, &mut |part, own| {
+        if part.max_component() > 0.0 {
+            alpha2 = alpha2.min(own);
+        }
+    });
+    (2.0 * alpha2.sqrt() * wi.z).clamp(PIECE, LONGEST_PIECE)
+}
+
 /// A piece of an edge.
 struct Weighed {
     edge: u32,
@@ -235,10 +260,7 @@ impl SampledEdges {
         let (eval, vertex, turning) = (at.eval, at.vertex, at.motion());
         let Self { weighed, pieces } = self;
         weighed.clear();
-        let longest = match vertex.bsdf.is_diffuse() {
-            true => DIFFUSE_PIECE,
-            false => PIECE,
-        };
+        let longest = longest_piece(vertex);
         for ListedEdge { edge, ends, factor } in listed {
             // An edge without relative motion contributes nothing.
             if at.is_stationary(&turning, edge) {
@@ -391,4 +413,47 @@ pub fn beside_its_face<'v>(
         position: vertex.position + offset,
         ..vertex.clone()
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::Frame;
+    use capwalk_scene::lobe::{Diffuse, Distribution, LocalBsdf, Microfacets, RoughConductor};
+
+    use super::*;
+
+    /// Pieces are as long as a lobe is wide: straight from above twice its roughness, and less the flatter it is seen. Of
+    /// two lobes the narrower one counts.
+    #[test]
+    fn pieces_are_as_long_as_lobes_are_wide() {
+        let metal = |alpha| {
+            Lobe::RoughConductor(RoughConductor {
+                microfacets: Microfacets::isotropic(Distribution::Ggx, alpha),
+                eta: Rgb::splat(0.0),
+                k: Rgb::splat(1.0),
+                specular_reflectance: Rgb::splat(0.5),
+            })
+        };
+        let reflectance = Rgb::splat(0.5);
+        let longest = |lobes: &[Lobe], z: f64| {
+            let mut bsdf = LocalBsdf::default();
+            lobes.iter().for_each(|lobe| bsdf.push(0.5, lobe.clone()));
+            let normal = Vec3::new(0.0, 0.0, 1.0);
+            let wi = Vec3::new((1.0 - z * z).sqrt(), 0.0, z);
+            let frame = Frame::from_normal(normal);
+            longest_piece(&Vertex::new(Vec3::zero(), 0, normal, frame, wi, bsdf))
+        };
+        let diffuse = Lobe::Diffuse(Diffuse { reflectance });
+        for (lobes, z, expected) in [
+            (vec![diffuse.clone()], 0.5, DIFFUSE_PIECE),
+            (vec![metal(0.1)], 1.0, 0.2),
+            (vec![metal(0.1), diffuse], 0.5, 0.1),
+            (vec![metal(0.15), metal(0.05)], 0.8, 0.08),
+            (vec![metal(0.01)], 1.0, PIECE),
+            (vec![metal(0.7)], 1.0, LONGEST_PIECE),
+        ] {
+            let found = longest(&lobes, z);
+            assert!((found - expected).abs() < 1e-12, "{lobes:?}: {found}");
+        }
+    }
 }
