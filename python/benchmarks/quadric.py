@@ -5,8 +5,8 @@ after equal times, in the manner of "Quadric-Based Silhouette Sampling for Diffe
     python python/benchmarks/quadric.py CAPWALK [--scenes NAME ...] [--seconds S] [--size WxH] [--alpha A]
         [--mesh FILE] [--seed-spp N] [--without-mitsuba] [--figure FOLDER]
 
-CAPWALK is the program; the package `capwalk` reads and writes meshes. If there is a package `mitsuba`, the derivatives of its `prb_projective` are measured
-as well, in the variant `llvm_ad_rgb`. Prints a table in Markdown; with `--figure` (needs the package
+CAPWALK is the program; the package `capwalk` reads and writes meshes. If there is a package `mitsuba`, the
+derivatives of its `prb_projective` are measured as well, in the variant `llvm_ad_rgb`. Prints a table in Markdown; with `--figure` (needs the package
 `matplotlib`) writes a strip of images for each scene.
 
 What is known of their scenes is from the supplemental page
@@ -436,18 +436,20 @@ def draw(measured: Measured, output: Path) -> None:
     panels.append(differences.image.mean(axis=-1))
     limit = np.percentile(np.abs(measured.differences.image.mean(axis=-1)), 99.5)
     height, width = panels[0].shape[:2]
-    tall = 2.6 * height / width
-    figure = pyplot.figure(figsize=(2.68 * len(panels) + 0.45, tall + 0.42), dpi=130)
-    whole = figure.get_size_inches()
-    for number, (name, panel) in enumerate(zip(names, panels, strict=True)):
-        axes = figure.add_axes((0.02 + 2.68 * number, 0.04, 2.6, tall) / np.array([*whole, *whole])[[0, 1, 0, 1]])
+    rows = (len(panels) + 1) // 2
+    figure, all_axes = pyplot.subplots(
+        rows, 2, figsize=(8.4, rows * (3.8 * height / width + 0.6)), dpi=110, layout="constrained", squeeze=False
+    )
+    for axes in all_axes.flat:
+        axes.set_axis_off()
+    for axes, name, panel in zip(all_axes.flat, names, panels):
+        axes.set_axis_on()
         axes.set(xticks=[], yticks=[])
-        axes.set_title(name, fontsize=8, loc="left", pad=3)
+        axes.set_title(name, fontsize=12, loc="left")
         colour_map = pyplot.get_cmap("RdBu_r", 65)
         shown = axes.imshow(panel, cmap=colour_map, vmin=-limit, vmax=limit, interpolation="nearest")
-    bar = figure.add_axes((1 - 0.43 / whole[0], 0.04 / whole[1], 0.07 / whole[0], tall / whole[1]))
-    bar.tick_params(labelsize=6, length=2, pad=1, width=0.5)
-    figure.colorbar(shown, cax=bar).outline.set_linewidth(0.5)
+    bar = figure.colorbar(shown, ax=all_axes, aspect=40, pad=0.02)
+    bar.ax.tick_params(labelsize=11)
     figure.savefig(output, pil_kwargs={"optimize": True})
 
 
