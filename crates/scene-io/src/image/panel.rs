@@ -66,7 +66,7 @@ pub struct Written {
     pub limit: Option<f64>,
 }
 
-/// Writes images side by side into a PNG or SVG file, and returns how many of their
+/// Writes images side by side, or in two rows, into a PNG or SVG file, and returns how many of their
 /// pixels are infinite or NaN (those are magenta). For a check: value,
 /// gradient and reference with the same limit, and z.
 pub fn write_panels(
@@ -254,6 +254,8 @@ fn coloured(image: &Image, style: Style) -> Raster {
 
 /// Images that are narrower than this are enlarged by a whole factor, pixels.
 pub const LEAST_WIDTH: usize = 384;
+/// More images than this have two rows: in one, a page that is as wide as they are makes their text too small.
+const MOST_IN_A_ROW: usize = 3;
 /// Height of a title, pixels at scale 1.
 const TITLE: usize = 10;
 /// Width of a colour bar, pixels at scale 1.
@@ -264,8 +266,8 @@ const GAP: usize = 6;
 /// Where a panel's parts are, pixels.
 struct Layout {
     title: String,
-    /// Left edge of the image.
-    left: usize,
+    /// Left and upper edge of the image.
+    corner: [usize; 2],
     /// Width and height of the image.
     size: [usize; 2],
     /// Pixels of the canvas for each pixel of the image, along each side.
@@ -278,10 +280,15 @@ fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Drawing> {
     let tallest = panels.iter().map(|p| p.image.height).max().unwrap_or(0);
     // Text that can be read in a talk, and beside large images.
     let scale = (tallest / 400 + 2).min(4);
-    let top = (TITLE + GAP) * scale;
-    let mut left = GAP * scale;
+    let above = (TITLE + GAP) * scale;
+    let [mut left, mut top] = [GAP * scale, above];
+    let (mut right, mut bottom) = (0, 0);
     let mut layouts = Vec::new();
-    for panel in panels {
+    for (i, panel) in panels.iter().enumerate() {
+        // A second row, with titles that overlap nothing of the first.
+        if panels.len() > MOST_IN_A_ROW && i == panels.len().div_ceil(2) {
+            [left, top] = [GAP * scale, bottom + above];
+        }
         let zoom = LEAST_WIDTH.div_ceil(panel.image.width.max(1));
         let size = [panel.image.width * zoom, panel.image.height * zoom];
         let ticks = match panel.style {
@@ -302,18 +309,22 @@ fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Drawing> {
         let title_width = text_width(&title);
         layouts.push(Layout {
             title,
-            left,
+            corner: [left, top],
             size,
             zoom,
             ticks,
         });
         left += (size[0] + bar).max(title_width) + 2 * GAP * scale;
+        right = right.max(left - GAP * scale);
+        bottom = bottom.max(top + size[1] + GAP * scale);
     }
-    let bottom = layouts.iter().map(|l| l.size[1]).max().unwrap_or(0) + top + GAP * scale;
-    let mut drawing = drawing(kind, [left.saturating_sub(GAP * scale), bottom]);
+    let mut drawing = drawing(kind, [right, bottom]);
     for (panel, layout) in panels.iter().zip(&layouts) {
-        let corner = [layout.left, top];
-        drawing.text([layout.left, GAP * scale / 2], &layout.title);
+        let corner = layout.corner;
+        drawing.text(
+            [corner[0], corner[1] + GAP * scale / 2 - above],
+            &layout.title,
+        );
         drawing.frame(corner, layout.size);
         drawing.image(
             corner,
@@ -321,15 +332,16 @@ fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Drawing> {
             &coloured(panel.image, panel.style),
         );
         if let Style::Diverging(_) = panel.style {
-            draw_bar(&mut *drawing, layout, top, scale);
+            draw_bar(&mut *drawing, layout, scale);
         }
     }
     drawing
 }
 
-fn draw_bar(drawing: &mut dyn Drawing, layout: &Layout, top: usize, scale: usize) {
+fn draw_bar(drawing: &mut dyn Drawing, layout: &Layout, scale: usize) {
     let height = layout.size[1];
-    let left = layout.left + layout.size[0] + GAP * scale;
+    let [left, top] = layout.corner;
+    let left = left + layout.size[0] + GAP * scale;
     // The middle of each row, from 1 at the top to -1 at the bottom.
     let rows = (0..height).map(|row| 1.0 - (2 * row + 1) as f64 / height as f64);
     let bar = Raster {
