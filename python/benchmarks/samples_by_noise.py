@@ -1,9 +1,9 @@
 """Optimisations whose sample counts follow the noise, beside fixed counts.
 
-    python python/benchmarks/samples_by_noise.py CAPWALK [--jobs NAME ...] [--spp N ...]
+    python python/benchmarks/samples_by_noise.py CAPWALK [--jobs NAME ...] [--spp N[:M] ...]
 
-CAPWALK is the program. Each of five jobs runs with each fixed count of samples per pixel and with
-`[samples]`. After every few iterations the scene is rendered with many samples; its loss, less what
+CAPWALK is the program. Each of five jobs runs with each fixed count of samples per pixel, N of images
+and M or else N of gradients, and with `[samples]`, begun with 4 of each. After every few iterations the scene is rendered with many samples; its loss, less what
 noise adds to it, is the true one. What is printed is a table: the samples (of images and gradients)
 and the seconds until the true loss is below a level for good, and the loss at the end."""
 
@@ -210,14 +210,15 @@ def wanted_image(capwalk: str, name: str, folder: Path) -> cw.Image:
 
 
 def measured(
-    capwalk: str, name: str, examples: Path, spp: int, more: str
+    capwalk: str, name: str, examples: Path, counts: str, more: str
 ) -> list[tuple[int, float, float, float]]:
     """After every few iterations: samples of images and gradients, seconds, and the true loss."""
     with tempfile.TemporaryDirectory() as path:
         folder = Path(path)
         text = written(name, folder, examples)
         job, out = folder / "job.toml", folder / "job.out"
-        job.write_text(f"spp = {spp}\nspp_grad = {spp}\n{text}\n{more}")
+        spp, _, spp_grad = counts.partition(":")
+        job.write_text(f"spp = {spp}\nspp_grad = {spp_grad or spp}\n{text}\n{more}")
         wanted = wanted_image(capwalk, name, folder)
         pixels = wanted.value[..., 0].size * max(text.count("[[view]]"), 1)
         found = []
@@ -236,7 +237,7 @@ def measured(
             found.append((samples, seconds, loss(seen(scene, 11), wanted), len(rows)))
             stopped = json.loads(done.stdout)["stopped"]
             if not stopped.startswith("paused"):
-                print(f"  {name}, {spp} {more!r}: {stopped}", flush=True)
+                print(f"  {name}, {counts} {more!r}: {stopped}", flush=True)
                 return found
 
 
@@ -244,9 +245,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("capwalk")
     parser.add_argument("--jobs", nargs="+", default=list(JOBS))
-    parser.add_argument("--spp", nargs="+", type=int, default=[4, 16, 64])
+    parser.add_argument("--spp", nargs="*", default=["2", "4", "16", "64:4"])
     parser.add_argument("--theta", nargs="+", type=float, default=[0.9])
-    parser.add_argument("--most", type=int, default=512)
     chosen = parser.parse_args()
     examples = Path(__file__).parents[2] / "examples/jobs/flower"
     print("| job | samples per pixel | million samples to the level | seconds | loss at the end | steps |")
@@ -254,7 +254,7 @@ def main() -> None:
     for name in chosen.jobs:
         level = JOBS[name][3]
         ways = [(spp, "") for spp in chosen.spp]
-        ways += [(4, f"[samples]\ntheta = {t}\nmost = {chosen.most}") for t in chosen.theta]
+        ways += [("4", f"[samples]\ntheta = {t}") for t in chosen.theta]
         for spp, more in ways:
             found = measured(chosen.capwalk, name, examples, spp, more)
             # Below the level for good.
@@ -263,7 +263,7 @@ def main() -> None:
             reached = "- | -"
             if first < len(found):
                 reached = f"{found[first][0] / 1e6:.3g} | {found[first][1]:.2f}"
-            way = more.splitlines()[1] if more else str(spp)
+            way = more.splitlines()[1] if more else spp
             print(f"| {name} | {way} | {reached} | {found[-1][2]:.2e} | {found[-1][3]} |", flush=True)
 
 

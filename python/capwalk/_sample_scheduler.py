@@ -41,10 +41,10 @@ class SampleScheduler:
     A step has several batches of samples with seeds of their own. Its gradient is their mean, and what
     they differ by is its noise, of image and derivative together. The *descent* is how much the loss
     would fall if the step before were repeated, at its full learning rate: the product of the gradient
-    and that step. The next step has as many samples as give it a standard error of ``theta`` times the
-    descent, both as means over some steps; counts change by a factor of 2 at most. After 20 steps in a
-    row in which ``most`` were not enough, and whose mean descent is no more than its standard error,
-    :attr:`no_descent` says so.
+    and that step. After each 20 steps their mean descent is compared with its standard error. If the
+    error is larger than ``theta`` times the descent, the next 20 steps have twice the samples; if half
+    the samples are clearly enough, these. If there cannot be more, as ``most`` is reached, and the mean
+    descent is no more than its standard error, :attr:`no_descent` says so.
 
     Noise must not bias the gradient of the loss, as is so for squared differences. It does for absolute
     differences, for instance, and more so with few samples: do not use it there.
@@ -54,7 +54,7 @@ class SampleScheduler:
         rate, the first one (of ``OneCycleLR`` and ``ReduceLROnPlateau`` the present one).
     :param spp: samples per pixel of the first step, all batches together; rounded up to a multiple of
         ``batches``, as all counts are.
-    :param theta: the relative standard error that the descent of a step may have, above 0.
+    :param theta: the relative standard error that the mean descent of 20 steps may have, above 0.
     :param most: the most samples per pixel of a step; by default 16 times ``spp``.
     :param batches: how many, at least 2. More of them know the noise better, and are more calls.
     :param seed: of the first batch, 0 to 2**64 - 1. Each batch of each step has the next one. A target
@@ -87,10 +87,10 @@ class SampleScheduler:
         if not (math.isfinite(theta) and theta > 0.0):
             raise ArgumentError(f"theta is {theta}; expected a finite number above 0")
         self._counts = SampleCounts(
-            (1.0, spp / self._batches), theta, (1, LEAST_OF_BATCH), most // self._batches
+            (1.0, spp / self._batches), theta, (1, LEAST_OF_BATCH), most // self._batches, 1.0
         )
         """Of the samples per pixel of a batch. Its noise, of image and gradient together, counts as that of
-        gradients, as if images had none."""
+        gradients, as if images had none and cost as much."""
         self._seed = integer("seed", seed, 0, LARGEST_SEED)
         self._before: list[tuple[Any, Any, float]] = []
         """Parameters with their values before the last step, and the part of the full rate it had."""

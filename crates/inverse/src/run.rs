@@ -236,7 +236,7 @@ impl Problem {
             return Some(Stop::Done);
         }
         let waited = state.iteration - state.best_iteration;
-        if let Some(found) = state.noise.no_descent() {
+        if let Some(found) = state.noise.no_descent {
             return Some(Stop::NoDescent(found));
         }
         let patience = patience.filter(|&patience| waited >= patience && surely >= state.best_loss);

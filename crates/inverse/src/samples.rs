@@ -4,39 +4,45 @@
 //! With `d` the last step as it would be at the full learning rate, the descent `a = -g·d` is by how much the loss falls
 //! per step if steps go on as they do. The gradient is new and `d` is not, so their noise is independent, and noise does
 //! not change the mean of `a`, as far as the loss is one that noise does not bias.
-//! As in the inner-product test of Bollapragada, Byrd and Nocedal (2018), a step has enough samples if the standard error
-//! of `a` is at most `θ |a|`, with `a²` the mean over some steps, less what noise adds to it. With the variances `V_I` and `V_G` that one sample per pixel of images and of gradients would
-//! add, and what these samples cost, the counts that reach an error `e` at the least cost are
+//!
+//! Adam's steps follow the mean of many gradients, so a single gradient may be far noisier than the descent is large, and
+//! many steps with few samples lead further than few steps with many. More samples pay once noise hides the descent in a
+//! whole block of steps: then these wander about where they are. This is the inner-product test of Bollapragada, Byrd
+//! and Nocedal (2018), for a block. With `V_I` and `V_G` the variances of `a` that one sample per pixel of images and of
+//! gradients would add, and `c` the cost of a gradient's sample in samples of images, a variance `e²` costs least with
 //!
 //! ```text
-//! n_I = √(V_I / c_I) S / e² ,   n_G = √(V_G / c_G) S / e² ,   S = √(V_I c_I) + √(V_G c_G)
+//! n_I = r n_G ,   n_G = (V_I / r + V_G) / e² ,   r = √(c V_I / V_G) .
 //! ```
+//!
+//! Gradients have a least count, which may be more than that. Images then get samples up to the cost of the gradient's:
+//! `r` is `c` at most.
 
 /// Sample counts that follow the noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ByNoise {
-    /// `θ`: the standard error of the descent, relative to it, that a step may have.
+    /// `θ`: the standard error that the mean descent of a block of steps may have, relative to it.
     pub theta: f64,
-    /// The most samples per pixel of an image, and of a gradient.
+    /// The most samples per pixel of a gradient. Those of an image cost as much at most.
     pub most: u32,
+    /// `c`: what a sample of the gradient costs, in samples of the image; a guess, which changes no mean.
+    pub cost: f64,
 }
 
 /// The fewest samples per pixel of images and gradients that have errors.
 pub const LEAST: [u32; 2] = [2, 4];
 
-/// What a sample of an image and one of a gradient cost, relative to each other: a guess, which changes no mean.
-const COSTS: [f64; 2] = [1.0, 4.0];
-/// How much of the means over steps is kept in each.
-const KEPT: f64 = 0.8;
-/// Counts change by this factor at most in a step.
-const FASTEST: f64 = 2.0;
-/// Counts get smaller if this times as many would be enough.
-const FAR_BELOW: f64 = 2.0;
-/// The steps in a row with the most samples that decide whether there is still a descent.
+/// [`ByNoise::cost`] with and without edges that move, in `docs/optimize.md`: 47 to 137, and 1.4.
+pub const COSTS: [f64; 2] = [50.0, 1.5];
+/// Counts of images end here.
+const MOST_OF_IMAGES: f64 = 1e9;
+/// So many steps are judged together.
 const BLOCK: f64 = 20.0;
-/// There is if its mean over them is so many standard errors. A descent of 0.45 of its noise goes on then in five of
-/// six blocks, and none in one of six.
-const CLEARLY: f64 = 1.0;
+/// The noise of a step becomes smaller or larger by this factor, and larger only if that leaves less than is allowed.
+const CHANGE: f64 = 2.0;
+/// More samples help only if noise is at least this part of the mean square of descents: what else they vary by is
+/// steps that are too long.
+const NOISY: f64 = 0.5;
 
 /// What is remembered of the noise of steps.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,12 +51,11 @@ pub struct StepNoise {
     pub counts: [f64; 2],
     /// The last step over the factor of the schedule; zero before the first.
     pub direction: Vec<f64>,
-    /// Running sums over steps, with weights that fall: of the weights, the squared descent less what noise adds to it,
-    /// and its variances [`Descent::by`] for one sample per pixel.
-    pub sums: [f64; 4],
-    /// How many steps in a row had the most samples, and too much noise, up to 20; the sums of their descents and
-    /// of the squares.
-    pub block: [f64; 3],
+    /// Since counts may last have changed: how many steps; sums of their descents, of the squares, and of the
+    /// variances [`Descent::by`] for one sample per pixel.
+    pub block: [f64; 5],
+    /// Set by the last step of a block that had the most samples, too much noise, and no descent that is clear.
+    pub no_descent: Option<NoDescent>,
 }
 
 /// The descent along the last step.
@@ -80,8 +85,8 @@ impl StepNoise {
         Self {
             counts: spp.map(f64::from),
             direction: vec![0.0; unknowns],
-            sums: [0.0; 4],
-            block: [0.0; 3],
+            block: [0.0; 5],
+            no_descent: None,
         }
     }
 
@@ -92,63 +97,51 @@ impl StepNoise {
 
     /// Learns from a step. Counts do not become smaller than `least`.
     pub fn learn(&mut self, rule: &ByNoise, least: [u32; 2], descent: &Descent) {
+        self.no_descent = None;
         if self.direction.iter().all(|&d| d == 0.0) {
             return;
         }
-        // Means over some steps: a single one is noisy.
-        let spp = self.spp();
-        let [of_image, of_gradient] = [0, 1].map(|i| descent.by[i] * f64::from(spp[i]));
-        let squared = descent.value * descent.value - descent.by[0] - descent.by[1];
-        let new = [1.0, squared, of_image, of_gradient];
-        for (sum, new) in self.sums.iter_mut().zip(new) {
-            *sum = KEPT * *sum + (1.0 - KEPT) * new;
+        // All steps of a block have the same counts. A single step is noisy.
+        let spp = self.spp().map(f64::from);
+        let Descent { value, by } = *descent;
+        let new = [1.0, value, value * value, by[0] * spp[0], by[1] * spp[1]];
+        for (sum, new) in self.block.iter_mut().zip(new) {
+            *sum += new;
         }
-        let [_, squared, variances @ ..] = self.sums.map(|sum| (sum / self.sums[0]).max(0.0));
-        // If there is no descent, the error is to be 0: as many as possible.
-        let squared_error = rule.theta * rule.theta * squared;
-        let both: f64 = variances
-            .iter()
-            .zip(COSTS)
-            .map(|(v, cost)| (v * cost).sqrt())
-            .sum();
-        let mut is_short = false;
-        for i in [0, 1] {
-            let enough = (variances[i] / COSTS[i]).sqrt() * both / squared_error;
-            is_short |= spp[i] >= rule.most && enough > f64::from(rule.most);
-            let change = match enough / self.counts[i] {
-                more if more > 1.0 => more.min(FASTEST),
-                less if less * FAR_BELOW < 1.0 => less.max(1.0 / FASTEST),
-                _ => 1.0,
-            };
-            let most = rule.most.max(least[i]);
-            self.counts[i] = (self.counts[i] * change).clamp(least[i].into(), most.into());
+        if self.block[0] < BLOCK {
+            return;
         }
-        // Steps with as many as possible, for which these are not enough.
-        if self.block[0] >= BLOCK {
-            self.block = [0.0; 3];
+        let [steps, sums @ ..] = std::mem::take(&mut self.block);
+        let [mean, squared, variances @ ..] = sums.map(|sum| sum / steps);
+        let [by_image, by_gradient] = variances.map(|variance| variance.max(0.0));
+        // The variance of a step's descent, and what it may be so that the mean of the block is known.
+        let noise = by_image / spp[0] + by_gradient / spp[1];
+        let allowed = (rule.theta * mean.max(0.0)).powi(2) * steps;
+        let is_short = noise > allowed && noise > NOISY * squared;
+        let wanted = match is_short {
+            true => noise / CHANGE,
+            false if noise * CHANGE < allowed => noise * CHANGE,
+            false => noise,
+        };
+        if wanted == 0.0 {
+            return;
         }
-        match is_short {
-            true => {
-                let new = [1.0, descent.value, descent.value * descent.value];
-                let sums = self.block.iter_mut().zip(new);
-                sums.for_each(|(sum, new)| *sum += new);
-            }
-            false => self.block = [0.0; 3],
-        }
-    }
-
-    /// That the last steps had the most samples, too much noise, and no descent that is clearly above zero.
-    pub fn no_descent(&self) -> Option<NoDescent> {
-        let [count, sum, squares] = self.block;
-        let mean = sum / count;
-        let error = ((squares / count - mean * mean) / (count - 1.0))
-            .max(0.0)
-            .sqrt();
-        (count >= BLOCK && mean <= CLEARLY * error).then_some(NoDescent {
+        // The cheapest counts that give it.
+        let cost = rule.cost;
+        let balanced = (by_image * by_gradient / cost).sqrt();
+        let of_gradients = (balanced.max(by_image / cost) + by_gradient) / wanted;
+        let most = f64::from(rule.most.max(least[1]));
+        self.counts[1] = of_gradients.clamp(least[1].into(), most);
+        let ratio = (cost * by_image / by_gradient).sqrt().min(cost);
+        self.counts[0] = (ratio * self.counts[1]).clamp(least[0].into(), MOST_OF_IMAGES);
+        // No count that could grow is left.
+        let error = (noise / steps).sqrt();
+        let is_most = spp[1] >= most && self.counts[0] < CHANGE * spp[0];
+        self.no_descent = (is_short && is_most && mean <= error).then_some(NoDescent {
             mean,
             error,
-            steps: count as u32,
-        })
+            steps: steps as u32,
+        });
     }
 }
 
@@ -159,44 +152,64 @@ mod tests {
     const RULE: ByNoise = ByNoise {
         theta: 0.5,
         most: 256,
+        cost: 4.0,
     };
 
-    /// Steps with a given descent, and variances that fall with the samples; what is left of them.
-    fn after(steps: u32, descent: impl Fn(u32) -> f64, variances: [f64; 2]) -> (StepNoise, u32) {
+    /// Steps with a given descent for a variance, and errors of either sign in turn; variances fall with the samples.
+    /// What is remembered, and how many steps there were.
+    fn after(steps: u32, descent: impl Fn(f64) -> f64, variances: [f64; 2]) -> (StepNoise, u32) {
         let mut noise = StepNoise::new([8, 16], 1);
         noise.direction = vec![1.0];
         for step in 0..steps {
-            let (spp, value) = (noise.spp(), descent(step));
+            let spp = noise.spp();
             let by = [0, 1].map(|i| variances[i] / f64::from(spp[i]));
-            // As large as with noise on average.
-            let size = (value * value + by[0] + by[1]).sqrt();
-            let value = size.copysign(value);
+            let variance = by[0] + by[1];
+            let error = [1.0, -1.0][step as usize % 2] * variance.sqrt();
+            let value = descent(variance) + error;
             noise.learn(&RULE, LEAST, &Descent { value, by });
-            if noise.no_descent().is_some() {
+            if noise.no_descent.is_some() {
                 return (noise, step + 1);
             }
         }
         (noise, steps)
     }
 
-    /// Counts settle between what is enough and twice that. A descent of 2 may have the squared error 1: if the image
-    /// and the gradient have the variances 50 and 12.5 of a sample, then n_I = 50 (1 + 1) = 100 and n_G = 12.5 (1 + 1).
+    /// Counts settle between what is enough and twice that. The mean of 20 descents of 2 may have the variance 1, so each
+    /// may have 20: if image and gradient have the variances 1000 and 250 of a sample, n_G = (1000 / 4 + 250) / 20, and
+    /// n_I is four times that.
     #[test]
     fn counts_follow_the_noise() {
         for (variances, expected) in [
-            ([50.0, 12.5], [100, 25]),
-            ([0.0, 90.0], [2, 90]),
-            ([20.0, -1.0], [20, 4]),
-            ([1e6, 1e6], [256, 256]),
-            ([1e-6, 1e-6], [2, 4]),
+            ([1000.0, 250.0], [100, 25]),
+            ([0.0, 1800.0], [2, 90]),
+            ([800.0, -1.0], [40, 10]),
+            ([1e7, 1e7], [512, 256]),
+            ([1e-6, 1e-6], [8, 4]),
         ] {
-            let (noise, _) = after(60, |_| 2.0, variances);
+            let (noise, _) = after(400, |_| 2.0, variances);
             for (count, expected) in noise.spp().into_iter().zip(expected) {
                 assert!(
                     (expected..=2 * expected).contains(&count),
                     "{variances:?}: {count}"
                 );
             }
+        }
+    }
+
+    /// Of all counts with their variance, those of image and gradient cost least.
+    #[test]
+    fn counts_are_the_cheapest() {
+        let variances = [3000.0, 1500.0];
+        let (noise, _) = after(400, |_| 2.0, variances);
+        let [of_image, of_gradient] = noise.counts;
+        let variance = variances[0] / of_image + variances[1] / of_gradient;
+        let cost = |of_image: f64| {
+            of_image + RULE.cost * variances[1] / (variance - variances[0] / of_image)
+        };
+        let own = cost(of_image);
+        assert!((own - of_image - RULE.cost * of_gradient).abs() < 1e-9 * own);
+        for other in [0.97, 1.03] {
+            assert!(own < cost(other * of_image), "{other}");
         }
     }
 
@@ -209,19 +222,35 @@ mod tests {
         assert_eq!(noise, StepNoise::new([8, 16], 2));
     }
 
-    /// Where the descent has either sign, samples grow to the most, and after some steps with these it is over; where it
-    /// is small but steady, it is not. Where the sign changes and is known, few samples are enough.
+    /// Where noise hides the descent, samples grow block by block, to the most, and after a block with these it is over;
+    /// not where the descent is small but clear.
     #[test]
     fn it_is_over_where_there_is_no_descent() {
-        let (noise, steps) = after(100, |step| [1.0, -0.9][step as usize % 2], [9e3, 9e3]);
-        let found = noise.no_descent().expect("over");
+        let (noise, steps) = after(400, |_| -0.1, [9e3, 9e3]);
+        let found = noise.no_descent.expect("over");
         assert_eq!(found.steps, 20);
-        assert!(found.mean.abs() < 2.0 * found.error, "{found:?}");
-        assert!((24..30).contains(&steps), "{steps}");
-        let steady = |step| 1.0 + [1.0, -1.0][step as usize % 2];
-        let (noise, _) = after(100, steady, [9e3, 9e3]);
-        assert_eq!((noise.spp(), noise.no_descent()), ([256; 2], None));
-        let (noise, _) = after(100, |step| [1.0, -1.0][step as usize % 2], [0.1, 0.1]);
-        assert_eq!(noise.spp(), [2, 4]);
+        assert!(
+            (found.mean + 0.1).abs() < 1e-12 && found.error > 1.0,
+            "{found:?}"
+        );
+        // A block of 8 and 16, and of 32 and 16, 64 and 32, up to 512 and 256.
+        assert_eq!(steps, 120);
+        let at_1_5_errors = |variance: f64| 1.5 * (variance / 20.0).sqrt();
+        let (noise, _) = after(400, at_1_5_errors, [9e3, 9e3]);
+        assert_eq!((noise.spp(), noise.no_descent), ([512, 256], None));
+    }
+
+    /// Where descents of either sign are larger than their noise, more samples would not help.
+    #[test]
+    fn steps_that_are_too_long_need_no_samples() {
+        let mut noise = StepNoise::new([8, 16], 1);
+        noise.direction = vec![1.0];
+        for step in 0..400 {
+            let value = [1.0, -1.0][step % 2];
+            let by = noise.spp().map(|spp| 1.0 / f64::from(spp));
+            noise.learn(&RULE, LEAST, &Descent { value, by });
+        }
+        assert!(noise.no_descent.is_none());
+        assert!(noise.counts[1] <= 16.0, "{:?}", noise.counts);
     }
 }

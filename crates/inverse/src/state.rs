@@ -1,7 +1,7 @@
 //! All that an optimisation remembers, as plain numbers.
 
 use crate::problem::Problem;
-use crate::samples::StepNoise;
+use crate::samples::{NoDescent, StepNoise};
 
 /// Where an optimisation is. The next state is a function of it and of the
 /// problem: there are no random numbers in it, these have addresses.
@@ -47,9 +47,12 @@ impl State {
         let StepNoise {
             counts: spp,
             direction,
-            sums,
             block,
+            no_descent,
         } = &self.noise;
+        let found = no_descent.map_or([0.0; 3], |found| {
+            [found.mean, found.error, f64::from(found.steps)]
+        });
         vec![
             ("unknowns", self.unknowns.clone()),
             ("adam.first", self.first.clone()),
@@ -58,7 +61,7 @@ impl State {
             ("best_loss", vec![self.best_loss]),
             ("samples", spp.to_vec()),
             ("direction", direction.clone()),
-            ("noise", [&sums[..], block].concat()),
+            ("noise", [&block[..], &found].concat()),
         ]
     }
 
@@ -72,7 +75,7 @@ impl State {
             ("best_loss", 1),
             ("samples", 2),
             ("direction", unknowns),
-            ("noise", 7),
+            ("noise", 8),
         ]
     }
 
@@ -95,11 +98,11 @@ impl State {
             true => Ok(x as u32),
             false => Err(format!("\"iterations\" has {x}; expected whole numbers")),
         };
-        let sums = array("noise", 7)?;
+        let noise = array("noise", 8)?;
         let spp = array("samples", 2)?;
         let values = array("unknowns", unknowns)?;
         let direction = array("direction", unknowns)?;
-        if let Some(wrong) = sums.iter().chain(&direction).find(|x| !x.is_finite()) {
+        if let Some(wrong) = noise.iter().chain(&direction).find(|x| !x.is_finite()) {
             return Err(format!(
                 "what is known of noise has {wrong}; expected finite numbers"
             ));
@@ -120,8 +123,12 @@ impl State {
             noise: StepNoise {
                 counts: [spp[0], spp[1]],
                 direction,
-                sums: [0, 1, 2, 3].map(|i| sums[i]),
-                block: [4, 5, 6].map(|i| sums[i]),
+                block: [0, 1, 2, 3, 4].map(|i| noise[i]),
+                no_descent: (noise[7] > 0.0).then_some(NoDescent {
+                    mean: noise[5],
+                    error: noise[6],
+                    steps: noise[7] as u32,
+                }),
             },
         })
     }
@@ -143,8 +150,12 @@ mod tests {
             noise: StepNoise {
                 counts: [16.5, 4.0],
                 direction: vec![-0.0, 1e300],
-                sums: [1.0, 2.0, 3.0, 3.5],
-                block: [4.0, 5.0, 6.0],
+                block: [1.0, 2.0, 3.0, 3.5, 4.0],
+                no_descent: Some(NoDescent {
+                    mean: -1.0,
+                    error: 2.0,
+                    steps: 20,
+                }),
             },
         };
         let numbers = state.to_numbers();

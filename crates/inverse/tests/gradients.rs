@@ -202,6 +202,7 @@ fn the_noise_of_the_descent_is_known() {
     let rule = ByNoise {
         theta: 0.9,
         most: 1000,
+        cost: 4.0,
     };
     let whole = descents([24, 16], None, 0..100);
     let (whole, error) = mean(whole.iter().map(|found| found.value).collect());

@@ -15,10 +15,10 @@ pub struct SampleCounts {
 #[pymethods]
 impl SampleCounts {
     #[new]
-    fn new(counts: [f64; 2], theta: f64, least: [u32; 2], most: u32) -> Self {
+    fn new(counts: [f64; 2], theta: f64, least: [u32; 2], most: u32, cost: f64) -> Self {
         let noise = StepNoise::new([0; 2], 1);
         Self {
-            rule: ByNoise { theta, most },
+            rule: ByNoise { theta, most, cost },
             least,
             noise: StepNoise {
                 counts,
@@ -47,7 +47,7 @@ impl SampleCounts {
     }
 
     fn no_descent(&self) -> Option<NoDescent> {
-        self.noise.no_descent().map(NoDescent)
+        self.noise.no_descent.map(NoDescent)
     }
 }
 

@@ -146,7 +146,6 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
     let spp = integer(&root, "spp", 2..=MOST)?.map(|n| n as u32);
     let least = optimizer::least_of_gradients(root.get("samples").is_some());
     let spp_grad = integer(&root, "spp_grad", least.into()..=MOST)?.map(|n| n as u32);
-    let largest = spp.max(spp_grad).unwrap_or(0).max(least);
     let keys = Keys {
         scene,
         defines: view::defines(&root)?,
@@ -155,7 +154,7 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
         seed: integer(&root, "seed", 0..=i64::MAX)?.unwrap_or(0) as u64,
         spp,
         spp_grad,
-        samples: optimizer::samples(&root, largest)?,
+        samples: optimizer::samples(&root, spp_grad.unwrap_or(least))?,
         time_limit,
         images: integer(&root, "images", 0..=MOST)?.map_or(10, |n| n as u32),
         lr,

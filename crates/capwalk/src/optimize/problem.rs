@@ -63,9 +63,9 @@ impl Job {
         let variables = self.variables(&scene, &keys.parameters)?;
         // That of the scene is no wish for more than a job allows.
         let most = keys.samples.and_then(|keys| keys.most).unwrap_or(u32::MAX);
-        let spp = keys.spp.unwrap_or(scene.settings.spp.max(2).min(most));
+        let spp = keys.spp.unwrap_or(scene.settings.spp.max(2));
         let least = least_of_gradients(keys.samples.is_some());
-        let spp_grad = keys.spp_grad.unwrap_or(spp.max(least));
+        let spp_grad = keys.spp_grad.unwrap_or(spp.max(least).min(most));
         let (mut views, mut pending) = (Vec::new(), Vec::new());
         for (number, view) in keys.views.iter().enumerate() {
             let (view, target) = self.view(&scene, &variables, view, number, &mut found)?;
@@ -73,7 +73,9 @@ impl Job {
             pending.extend(target);
         }
         let MethodKeys { method, walk } = keys.method;
+        let moves = variables.wanted(&scene).moves();
         let problem = Problem {
+            by_noise: keys.samples.map(|keys| keys.rule(spp_grad, moves)),
             variables,
             views,
             loss: keys.loss,
@@ -85,7 +87,6 @@ impl Job {
             seed: keys.seed,
             spp,
             spp_grad,
-            by_noise: keys.samples.map(|keys| keys.rule([spp, spp_grad])),
             method,
             walk,
             scene,

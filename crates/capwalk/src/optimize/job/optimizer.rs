@@ -5,7 +5,7 @@ use capwalk_inverse::Limits;
 use capwalk_inverse::adam::Adam;
 use capwalk_inverse::guard::Guards;
 use capwalk_inverse::loss::{Distance, Loss};
-use capwalk_inverse::samples::{ByNoise, LEAST};
+use capwalk_inverse::samples::{ByNoise, COSTS, LEAST};
 use capwalk_inverse::schedule::{Decay, Schedule};
 use capwalk_scene_io::LoadError;
 use capwalk_scene_io::toml::Table;
@@ -46,17 +46,17 @@ pub struct SamplesKeys {
 }
 
 impl SamplesKeys {
-    /// The rule, if the first step has so many samples.
-    pub fn rule(self, spp: [u32; 2]) -> ByNoise {
-        let largest = spp[0].max(spp[1]);
+    /// The rule, if the gradient of the first step has so many samples, and edges may move.
+    pub fn rule(self, spp_grad: u32, moves: bool) -> ByNoise {
         ByNoise {
             theta: self.theta,
-            most: (self.most).unwrap_or(largest.saturating_mul(MOST_TIMES)),
+            most: (self.most).unwrap_or(spp_grad.saturating_mul(MOST_TIMES)),
+            cost: if moves { COSTS[0] } else { COSTS[1] },
         }
     }
 }
 
-/// The most samples, if a job does not say how many, as a multiple of those of the first image or gradient.
+/// The most samples, if a job does not say how many, as a multiple of those of the first gradient.
 const MOST_TIMES: u32 = 16;
 
 /// The fewest samples per pixel of a gradient, where sample counts follow the noise or not.
@@ -64,14 +64,14 @@ pub fn least_of_gradients(by_noise: bool) -> u32 {
     if by_noise { LEAST[1] } else { 1 }
 }
 
-/// How sample counts follow the noise, if they do; so many are asked for at the start, or more.
-pub fn samples(root: &Table, largest: u32) -> Result<Option<SamplesKeys>, LoadError> {
+/// How sample counts follow the noise, if they do; the first gradient has so many.
+pub fn samples(root: &Table, first: u32) -> Result<Option<SamplesKeys>, LoadError> {
     let Some(table) = root.table("samples")? else {
         return Ok(None);
     };
     let keys = SamplesKeys {
         theta: positive(&table, "theta")?.unwrap_or(0.9),
-        most: integer(&table, "most", largest.into()..=MOST)?.map(|n| n as u32),
+        most: integer(&table, "most", first.into()..=MOST)?.map(|n| n as u32),
     };
     table.finish()?;
     Ok(Some(keys))
