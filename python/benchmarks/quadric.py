@@ -6,8 +6,8 @@ after equal times, in the manner of "Quadric-Based Silhouette Sampling for Diffe
         [--mesh FILE] [--seed-spp N] [--without-mitsuba] [--figure FOLDER]
 
 CAPWALK is the program; the package `capwalk` reads and writes meshes. If there is a package `mitsuba`, the
-derivatives of its `prb_projective` are measured as well, in the variant `llvm_ad_rgb`. Prints a table in Markdown; with `--figure` (needs the package
-`matplotlib`) writes a strip of images for each scene.
+derivatives of its `prb_projective` are measured as well, in the variant `llvm_ad_rgb`. Prints a table in
+Markdown; with `--figure` (needs the package `matplotlib`) writes a strip of images for each scene.
 
 What is known of their scenes is from the supplemental page
 (mariasoroka.github.io/papers/Data/EdgeSamplingSupplemental/results.html) and from an issue of the first
@@ -442,7 +442,7 @@ def draw(measured: Measured, output: Path) -> None:
     )
     for axes in all_axes.flat:
         axes.set_axis_off()
-    for axes, name, panel in zip(all_axes.flat, names, panels):
+    for axes, name, panel in zip(all_axes.flat[: len(panels)], names, panels, strict=True):
         axes.set_axis_on()
         axes.set(xticks=[], yticks=[])
         axes.set_title(name, fontsize=12, loc="left")

@@ -3,9 +3,10 @@
     python python/benchmarks/samples_by_noise.py CAPWALK [--jobs NAME ...] [--spp N[:M] ...]
 
 CAPWALK is the program. Each of five jobs runs with each fixed count of samples per pixel, N of images
-and M or else N of gradients, and with `[samples]`, begun with 4 of each. After every few iterations the scene is rendered with many samples; its loss, less what
-noise adds to it, is the true one. What is printed is a table: the samples (of images and gradients)
-and the seconds until the true loss is below a level for good, and the loss at the end."""
+and M or else N of gradients, and with `[samples]`, begun with 4 of each. After every few iterations the
+scene is rendered with many samples; its loss, less what noise adds to it, is the true one. What is
+printed is a table: the samples (of images and gradients) and the seconds until the true loss is below a
+level for good, and the loss at the end."""
 
 from __future__ import annotations
 

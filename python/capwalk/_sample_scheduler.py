@@ -42,9 +42,10 @@ class SampleScheduler:
     they differ by is its noise, of image and derivative together. The *descent* is how much the loss
     would fall if the step before were repeated, at its full learning rate: the product of the gradient
     and that step. After each 20 steps their mean descent is compared with its standard error. If the
-    error is larger than ``theta`` times the descent, the next 20 steps have twice the samples; if half
-    the samples are clearly enough, these. If there cannot be more, as ``most`` is reached, and the mean
-    descent is no more than its standard error, :attr:`no_descent` says so.
+    error is larger than ``theta`` times the descent, the next 20 steps have twice the samples, unless the
+    descents vary by more than their noise, because steps are too long. If half the samples would be
+    enough, the next 20 steps have half of them. If 40 steps had ``most`` samples and their mean descent is
+    no more than its standard error, :attr:`no_descent` says so.
 
     Noise must not bias the gradient of the loss, as is so for squared differences. It does for absolute
     differences, for instance, and more so with few samples: do not use it there.
@@ -53,7 +54,7 @@ class SampleScheduler:
         keep them within bounds. Rates of ``torch.optim.lr_scheduler`` are steps at a part of the full
         rate, the first one (of ``OneCycleLR`` and ``ReduceLROnPlateau`` the present one).
     :param spp: samples per pixel of the first step, all batches together; rounded up to a multiple of
-        ``batches``, as all counts are.
+        ``batches``. All counts are such multiples.
     :param theta: the relative standard error that the mean descent of 20 steps may have, above 0.
     :param most: the most samples per pixel of a step; by default 16 times ``spp``.
     :param batches: how many, at least 2. More of them know the noise better, and are more calls.
@@ -87,7 +88,7 @@ class SampleScheduler:
         if not (math.isfinite(theta) and theta > 0.0):
             raise ArgumentError(f"theta is {theta}; expected a finite number above 0")
         self._counts = SampleCounts(
-            (1.0, spp / self._batches), theta, (1, LEAST_OF_BATCH), most // self._batches, 1.0
+            (1.0, math.ceil(spp / self._batches)), theta, (1, LEAST_OF_BATCH), most // self._batches, 1.0
         )
         """Of the samples per pixel of a batch. Its noise, of image and gradient together, counts as that of
         gradients, as if images had none and cost as much."""

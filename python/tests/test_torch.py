@@ -571,8 +571,9 @@ def scheduled(loss: object, start: float, sigma: float, steps: int, **options: o
 @pytest.mark.parametrize("batches", [2, 4])
 @pytest.mark.parametrize("sigma", [30.0, 60.0])
 def test_samples_are_those_of_the_theory(batches: int, sigma: float) -> None:
-    """Along a slope of 1, steps of the rate r are r times a gradient with the variance v = sigma**2 / n. Descents are r,
-    with the variance r**2 v (1 + v). The mean of 20 has the relative error `theta` if v (1 + v) is 20 theta**2."""
+    """Along a slope of 1, steps of the rate r are r times a gradient with the variance v = sigma**2 / n.
+    Descents are r, with the variance r**2 v (1 + v). The mean of 20 has the relative error `theta` if
+    v (1 + v) is 20 theta**2."""
     scheduler, counts, _ = scheduled(
         torch.sum, 0.0, sigma, 2000, spp=64, theta=0.5, most=2**16, batches=batches
     )
@@ -588,7 +589,7 @@ def test_schedulers_stop_at_the_optimum() -> None:
     scheduler, counts, x = scheduled(lambda x: 0.5 * x.square().sum(), 5.0, 1.0, 1000, spp=8, most=256)
     assert max(counts[:20]) <= 8 and counts[-1] == 256
     found = scheduler.no_descent
-    assert found.steps == 20 and found.mean <= found.error
+    assert found.steps == 40 and found.mean <= found.error
     assert len(counts) < 500 and abs(x) < 0.1
 
 
@@ -634,13 +635,13 @@ def test_a_shift_is_found_with_samples_that_follow_the_noise(leaf: cw.Scene) -> 
 
         scheduler = capwalk.torch.SampleScheduler(torch.optim.Adam([shift], lr=0.02), spp=4, most=32)
         counts = []
-        while scheduler.no_descent is None and len(counts) < 150:
+        while scheduler.no_descent is None and len(counts) < 300:
             scheduler.step(loss_of)
             counts.append(scheduler.spp)
         return shift.detach(), counts
 
     shift, counts = run()
-    assert counts[:20] == [4] * 20 and max(counts) == 32 and len(counts) < 150
+    assert counts[:20] == [4] * 20 and max(counts) == 32 and len(counts) < 300
     assert shift.norm() < 0.04
     again, counts_again = run()
     assert counts == counts_again and torch.equal(shift, again)

@@ -25,11 +25,12 @@ pub const IN_PLANE: f64 = 1e-9;
 /// The effort of weighing a piece: BSDF and cosine are evaluated.
 const EFFORT_OF_PIECE: u64 = 4;
 
-/// Length of the longest piece that has one sampling weight, radians, where lobes are narrow.
+/// Length of the longest piece that has one sampling weight, radians, where lobes may be narrow. On GPUs it is that of
+/// all surfaces that are not diffuse.
 pub const PIECE: f64 = 0.05;
-/// The same where they are wide.
+/// Length of the longest piece at wide lobes, radians.
 const LONGEST_PIECE: f64 = 0.4;
-/// Length of the longest piece at diffuse surfaces, radians.
+/// Length of the longest piece at diffuse surfaces, radians. They have little other noise that would hide that of longer ones.
 pub const DIFFUSE_PIECE: f64 = 0.2;
 /// The most pieces of one edge.
 pub const MOST_PIECES: f64 = 32.0;
@@ -193,14 +194,15 @@ pub struct SampledEdges {
     pieces: SilhouettePieces,
 }
 
-/// Length of the longest piece at a vertex, radians: as long as its narrowest lobe is wide.
+/// Length of the longest piece at a vertex, radians: about as long as its narrowest lobe is wide. Facets that are rougher
+/// in one direction than in the other count as equally rough.
 fn longest_piece(vertex: &Vertex<f64>) -> f64 {
     let bsdf = &vertex.bsdf;
     if bsdf.is_diffuse() {
         return DIFFUSE_PIECE;
     }
     let is_known = |lobe: &Lobe| lobe.has_facets() || !lobe.is_glossy();
-    if vertex.transmits || !bsdf.lobes().all(|(_, lobe)| is_known(lobe)) {
+    if vertex.transmits || bsdf.is_tilted() || !bsdf.lobes().all(|(_, lobe)| is_known(lobe)) {
         return PIECE;
     }
     // Facets of the roughness α reflect to about 2 α around the mirror direction, times the cosine to the sides.
@@ -212,7 +214,11 @@ fn longest_piece(vertex: &Vertex<f64>) -> f64 {
             alpha2 = alpha2.min(own);
         }
     });
-    (2.0 * alpha2.sqrt() * wi.z).clamp(PIECE, LONGEST_PIECE)
+    add_effort(EFFORT_OF_PIECE);
+    match alpha2.is_finite() {
+        true => (2.0 * alpha2.sqrt() * wi.z).clamp(PIECE, LONGEST_PIECE),
+        false => DIFFUSE_PIECE,
+    }
 }
 
 /// A piece of an edge.
@@ -426,14 +432,15 @@ mod tests {
     /// two lobes the narrower one counts.
     #[test]
     fn pieces_are_as_long_as_lobes_are_wide() {
-        let metal = |alpha| {
+        let tinted = |alpha, tint| {
             Lobe::RoughConductor(RoughConductor {
                 microfacets: Microfacets::isotropic(Distribution::Ggx, alpha),
                 eta: Rgb::splat(0.0),
                 k: Rgb::splat(1.0),
-                specular_reflectance: Rgb::splat(0.5),
+                specular_reflectance: Rgb::splat(tint),
             })
         };
+        let metal = |alpha| tinted(alpha, 0.5);
         let reflectance = Rgb::splat(0.5);
         let longest = |lobes: &[Lobe], z: f64| {
             let mut bsdf = LocalBsdf::default();
@@ -451,6 +458,8 @@ mod tests {
             (vec![metal(0.15), metal(0.05)], 0.8, 0.08),
             (vec![metal(0.01)], 1.0, PIECE),
             (vec![metal(0.7)], 1.0, LONGEST_PIECE),
+            (vec![metal(0.1)], 0.1, PIECE),
+            (vec![tinted(0.1, 0.0)], 0.5, DIFFUSE_PIECE),
         ] {
             let found = longest(&lobes, z);
             assert!((found - expected).abs() < 1e-12, "{lobes:?}: {found}");

@@ -61,7 +61,7 @@ impl Job {
         let keys = &self.keys;
         let scene = self.load(&keys.scene, &[], None, &mut found)?;
         let variables = self.variables(&scene, &keys.parameters)?;
-        // That of the scene is no wish for more than a job allows.
+        // The count of the scene is no wish for larger gradients than a job allows.
         let most = keys.samples.and_then(|keys| keys.most).unwrap_or(u32::MAX);
         let spp = keys.spp.unwrap_or(scene.settings.spp.max(2));
         let least = least_of_gradients(keys.samples.is_some());

@@ -1,4 +1,4 @@
-//! Previews: images side by side with titles and colour bars.
+//! Previews: images side by side, more than three of them in two rows, with titles and colour bars.
 
 use std::path::Path;
 
@@ -66,7 +66,7 @@ pub struct Written {
     pub limit: Option<f64>,
 }
 
-/// Writes images side by side, or in two rows, into a PNG or SVG file, and returns how many of their
+/// Writes images side by side, more than three of them in two rows, into a PNG or SVG file, and returns how many of their
 /// pixels are infinite or NaN (those are magenta). For a check: value,
 /// gradient and reference with the same limit, and z.
 pub fn write_panels(
@@ -266,8 +266,6 @@ const GAP: usize = 6;
 /// Where a panel's parts are, pixels.
 struct Layout {
     title: String,
-    /// Left and upper edge of the image.
-    corner: [usize; 2],
     /// Width and height of the image.
     size: [usize; 2],
     /// Pixels of the canvas for each pixel of the image, along each side.
@@ -276,19 +274,20 @@ struct Layout {
     ticks: Vec<(String, f64)>,
 }
 
+/// The panels in rows and columns.
 fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Drawing> {
     let tallest = panels.iter().map(|p| p.image.height).max().unwrap_or(0);
     // Text that can be read in a talk, and beside large images.
     let scale = (tallest / 400 + 2).min(4);
     let above = (TITLE + GAP) * scale;
-    let [mut left, mut top] = [GAP * scale, above];
-    let (mut right, mut bottom) = (0, 0);
+    let columns = match panels.len() {
+        count if count > MOST_IN_A_ROW => count.div_ceil(2),
+        count => count.max(1),
+    };
     let mut layouts = Vec::new();
+    let mut widths = vec![0; columns];
+    let mut heights = vec![0; panels.len().div_ceil(columns)];
     for (i, panel) in panels.iter().enumerate() {
-        // A second row, with titles that overlap nothing of the first.
-        if panels.len() > MOST_IN_A_ROW && i == panels.len().div_ceil(2) {
-            [left, top] = [GAP * scale, bottom + above];
-        }
         let zoom = LEAST_WIDTH.div_ceil(panel.image.width.max(1));
         let size = [panel.image.width * zoom, panel.image.height * zoom];
         let ticks = match panel.style {
@@ -306,25 +305,27 @@ fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Drawing> {
             // A magenta pixel alone is easily overlooked.
             count => format!("{} ({count} not finite)", panel.title),
         };
-        let title_width = text_width(&title);
+        let (column, row) = (i % columns, i / columns);
+        widths[column] = (size[0] + bar).max(text_width(&title)).max(widths[column]);
+        heights[row] = size[1].max(heights[row]);
         layouts.push(Layout {
             title,
-            corner: [left, top],
             size,
             zoom,
             ticks,
         });
-        left += (size[0] + bar).max(title_width) + 2 * GAP * scale;
-        right = right.max(left - GAP * scale);
-        bottom = bottom.max(top + size[1] + GAP * scale);
     }
-    let mut drawing = drawing(kind, [right, bottom]);
-    for (panel, layout) in panels.iter().zip(&layouts) {
-        let corner = layout.corner;
-        drawing.text(
-            [corner[0], corner[1] + GAP * scale / 2 - above],
-            &layout.title,
-        );
+    // Each has space around it, and a title above it.
+    let space = GAP * scale;
+    let ends =
+        |sizes: &[usize], around: usize| sizes.iter().map(|size| size + around).sum::<usize>();
+    let size = [ends(&widths, 2 * space), ends(&heights, above + space)];
+    let mut drawing = drawing(kind, size);
+    for (i, (panel, layout)) in panels.iter().zip(&layouts).enumerate() {
+        let left = ends(&widths[..i % columns], 2 * space) + space;
+        let top = ends(&heights[..i / columns], above + space) + above;
+        let corner = [left, top];
+        drawing.text([left, top + space / 2 - above], &layout.title);
         drawing.frame(corner, layout.size);
         drawing.image(
             corner,
@@ -332,15 +333,14 @@ fn draw(kind: Picture, panels: &[Panel]) -> Box<dyn Drawing> {
             &coloured(panel.image, panel.style),
         );
         if let Style::Diverging(_) = panel.style {
-            draw_bar(&mut *drawing, layout, scale);
+            draw_bar(&mut *drawing, corner, layout, scale);
         }
     }
     drawing
 }
 
-fn draw_bar(drawing: &mut dyn Drawing, layout: &Layout, scale: usize) {
+fn draw_bar(drawing: &mut dyn Drawing, [left, top]: [usize; 2], layout: &Layout, scale: usize) {
     let height = layout.size[1];
-    let [left, top] = layout.corner;
     let left = left + layout.size[0] + GAP * scale;
     // The middle of each row, from 1 at the top to -1 at the bottom.
     let rows = (0..height).map(|row| 1.0 - (2 * row + 1) as f64 / height as f64);

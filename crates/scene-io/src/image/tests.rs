@@ -150,10 +150,19 @@ fn panels_show_non_finite_pixels() {
         panel("reference", &broken, Style::Diverging(scale)),
     ];
     assert_eq!(write_panels(&file.0, &panels, &layered.metadata), Ok(1));
-    let (_, _, pixels) = decode_png(&file.0);
+    let (width, height, pixels) = decode_png(&file.0);
     let magenta = pixels.chunks(3).filter(|c| *c == tone::NON_FINITE).count();
     let zoom = 384_usize.div_ceil(7);
     assert_eq!(magenta, zoom * zoom);
+    // Four have two rows, as tall as that one each.
+    let [value, gradient, reference] = &panels;
+    let z = panel("z", &broken, Style::Diverging(scale));
+    let four = [value, gradient, reference, &z].map(|p| panel(p.title, p.image, p.style));
+    assert_eq!(write_panels(&file.0, &four, &layered.metadata), Ok(2));
+    let (width_of_two, height_of_two, pixels) = decode_png(&file.0);
+    let magenta = pixels.chunks(3).filter(|c| *c == tone::NON_FINITE).count();
+    assert_eq!(magenta, 2 * zoom * zoom);
+    assert!(width_of_two < width && height_of_two == 2 * height);
     let wrong = write_panels(Path::new("panels.exr"), &panels, &[]).expect_err("not a PNG");
     assert!(wrong.to_string().contains("known endings: .png, .svg"));
 }

@@ -1,5 +1,5 @@
 //! What the files of a check hold: the gradient, its reference and z as layers,
-//! how both were made, and for previews the four of them side by side.
+//! how both were made, and for previews the four of them in one picture.
 
 use anyhow::Result;
 use capwalk::scene_io::image::{LayeredImage, Panel, Scale, Style};
