@@ -7,7 +7,7 @@ from pathlib import Path
 import capwalk as cw
 import matplotlib.pyplot as plt
 
-width, spp, steps = map(int, sys.argv[1:] or (40, 4, 80))
+width, spp, steps = map(int, sys.argv[1:] or (40, 4, 160))
 JOB = f"""
 scene = "leaf"
 size = [{width}, {width * 3 // 4}]
@@ -34,7 +34,7 @@ left.set_title("position of the leaf", fontsize=9)
 right.semilogy(record["spp"], label="image", base=2)
 right.semilogy(record["spp_grad"], label="gradient", base=2)
 right.set_title("samples per pixel", fontsize=9)
-right.legend(fontsize=8)
+right.legend(fontsize=8, loc="upper left")
 for ax in (left, right):
     ax.set_xlabel("step", fontsize=9)
 figure.savefig("samples_follow_noise.png")

@@ -45,3 +45,10 @@ def test_a_descent_that_is_not_there_is_the_end() -> None:
     assert steps == 140 and counts.spp()[1] == 256
     assert found.steps == 40
     assert repr(found) == "NoDescent(mean=0, error=0.9375, steps=40)"
+
+
+def test_gradients_without_errors_are_refused(tmp_path: Path) -> None:
+    job = tmp_path / "job.toml"
+    job.write_text(JOB.replace("spp = 4", "spp_grad = 2", 1))
+    with pytest.raises(cw.LoadError, match="at least 4 beside `\\[samples\\]`"):
+        cw.optimize(job)

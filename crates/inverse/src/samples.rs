@@ -32,7 +32,7 @@ pub struct ByNoise {
 /// The fewest samples per pixel of images and gradients that have errors.
 pub const LEAST: [u32; 2] = [2, 4];
 
-/// [`ByNoise::cost`] with and without edges that move, in `docs/optimize.md`: 47 to 137, and 1.4.
+/// [`ByNoise::cost`] with and without anything that moves; measured in `docs/optimize.md`.
 pub const COSTS: [f64; 2] = [50.0, 1.5];
 /// Counts of images end here.
 const MOST_OF_IMAGES: f64 = 1e9;

@@ -145,7 +145,12 @@ fn keys(document: &Document, path: &Path) -> Result<Keys, LoadError> {
     // The error of an image is the spread of its samples.
     let spp = integer(&root, "spp", 2..=MOST)?.map(|n| n as u32);
     let least = optimizer::least_of_gradients(root.get("samples").is_some());
-    let spp_grad = integer(&root, "spp_grad", least.into()..=MOST)?.map(|n| n as u32);
+    let spp_grad = integer(&root, "spp_grad", 1..=MOST)?.map(|n| n as u32);
+    if let Some(value) = root.get("spp_grad").filter(|_| spp_grad < Some(least)) {
+        return Err(value.wrong(&format!(
+            "at least {least} beside `[samples]`, whose halves of a gradient need an error each"
+        )));
+    }
     let keys = Keys {
         scene,
         defines: view::defines(&root)?,
