@@ -44,8 +44,8 @@ class SampleScheduler:
     and that step. After each 20 steps their mean descent is compared with its standard error. If the
     error is larger than ``theta`` times the descent, the next 20 steps have twice the samples, unless the
     descents vary by more than their noise, because steps are too long. If half the samples would be
-    enough, the next 20 steps have half of them. If 40 steps had ``most`` samples and their mean descent is
-    no more than its standard error, :attr:`no_descent` says so.
+    enough, the next 20 steps have half of them. If 40 steps had ``most`` samples, and neither the mean
+    descent of the first 20 nor that of all is more than its standard error, :attr:`no_descent` says so.
 
     Noise must not bias the gradient of the loss, as is so for squared differences. It does for absolute
     differences, for instance, and more so with few samples: do not use it there.
@@ -87,9 +87,8 @@ class SampleScheduler:
         most = 16 * spp if most is None else integer("most", most, spp, LARGEST_COUNT)
         if not (math.isfinite(theta) and theta > 0.0):
             raise ArgumentError(f"theta is {theta}; expected a finite number above 0")
-        self._counts = SampleCounts(
-            (1.0, math.ceil(spp / self._batches)), theta, (1, LEAST_OF_BATCH), most // self._batches, 1.0
-        )
+        first, most = (math.ceil(count / self._batches) for count in (spp, most))
+        self._counts = SampleCounts((1.0, first), theta, (1, LEAST_OF_BATCH), most, 1.0)
         """Of the samples per pixel of a batch. Its noise, of image and gradient together, counts as that of
         gradients, as if images had none and cost as much."""
         self._seed = integer("seed", seed, 0, LARGEST_SEED)

@@ -11,12 +11,12 @@ from capwalk._capwalk import SampleCounts
 from test_jobs import JOB
 
 
-@pytest.mark.parametrize(("theta", "most"), [(0.9, 32), (0.2, 64), (3.0, 64)])
-def test_counts_are_those_of_jobs(tmp_path: Path, theta: float, most: int) -> None:
+@pytest.mark.parametrize(("theta", "most", "ends"), [(0.9, 8, True), (0.2, 64, True), (3.0, 64, False)])
+def test_counts_are_those_of_jobs(tmp_path: Path, theta: float, most: int, ends: bool) -> None:
     """Two kinds of samples, as the job's own rule chose them in each step."""
     job = tmp_path / "job.toml"
     text = JOB.replace("most = 32", f"theta = {theta}, most = {most}")
-    job.write_text(text.replace("iterations = 4", "iterations = 100"))
+    job.write_text(text.replace("iterations = 4", "iterations = 200"))
     found = cw.optimize(job)
     record = found.record
     of_jobs = np.stack([record["spp"], record["spp_grad"]], axis=1)
@@ -31,7 +31,7 @@ def test_counts_are_those_of_jobs(tmp_path: Path, theta: float, most: int) -> No
             counts.learn(descent, (of_image, of_gradient))
     np.testing.assert_array_equal(chosen, of_jobs[:-1])
     assert len(np.unique(of_jobs[:, 0])) > 2
-    assert (counts.no_descent() is not None) == ("descent" in found.stopped)
+    assert (counts.no_descent() is not None) == ("descent" in found.stopped) == ends
 
 
 def test_a_descent_that_is_not_there_is_the_end() -> None:

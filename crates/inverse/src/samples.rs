@@ -15,8 +15,7 @@
 //! n_I = r n_G ,   n_G = (V_I / r + V_G) / e² ,   r = √(c V_I / V_G) .
 //! ```
 //!
-//! `r` is `c` at most, so that images do not cost more than gradients: what noise is left after that is better fought
-//! by both.
+//! By choice `r` is `c` at most, so that images do not cost more than gradients.
 
 /// Sample counts that follow the noise.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -131,16 +130,10 @@ impl StepNoise {
             self.block = [0.0; 5];
             return;
         }
-        let counts = self.cheapest(
-            rule,
-            least,
-            [by_image, by_gradient],
-            wanted,
-            wanted <= noise,
-        );
+        let counts = self.cheapest(rule, least, [by_image, by_gradient], wanted, wanted > noise);
         // Where samples cannot grow, a second block must say that there is no descent, too: if it is twice the noise of a
         // block, one misses it with the probability 0.16, and both with 0.03.
-        let is_most = counts[0] < CHANGE * spp[0] && counts[1] <= spp[1];
+        let is_most = counts[0] < (CHANGE - 1e-6) * spp[0] && counts[1] <= spp[1];
         let error = (noise / steps).sqrt();
         if is_short && is_most && mean <= error {
             if steps == BLOCK {
@@ -154,15 +147,15 @@ impl StepNoise {
     }
 
     /// The counts that give a descent the variance `wanted` at the least cost, as far as they may change, from the
-    /// variances for one sample. Where noise matters, and gradients have the fewest samples, images get as many as pay
-    /// beside these.
+    /// variances for one sample. Unless noise may grow, images get the ratio `r` even where gradients have their least
+    /// count, which is more than they need: at most that doubles the time of a step.
     fn cheapest(
         &self,
         rule: &ByNoise,
         least: [u32; 2],
         [by_image, by_gradient]: [f64; 2],
         wanted: f64,
-        noise_matters: bool,
+        may_grow: bool,
     ) -> [f64; 2] {
         let (cost, most) = (rule.cost, f64::from(rule.most));
         let balanced = (by_image * by_gradient / cost).sqrt();
@@ -173,9 +166,9 @@ impl StepNoise {
             let slowly = count.clamp(self.counts[i] / CHANGE, self.counts[i] * GROWTH[i]);
             slowly.clamp(least, most.max(least))
         };
-        let beside = match noise_matters {
-            true => ideal.max(least[1].into()),
-            false => ideal,
+        let beside = match may_grow {
+            true => ideal,
+            false => ideal.max(least[1].into()),
         };
         let of_images = limited(0, ratio * beside.min(most), MOST_OF_IMAGES);
         // The noise that images leave to gradients, if they have more than the ideal.
@@ -265,7 +258,7 @@ mod tests {
         assert_eq!(noise, StepNoise::new([8, 16], 2));
     }
 
-    /// Where noise hides the descent, samples grow block by block, to the most, and after a block with these it is over;
+    /// Where noise hides the descent, samples grow block by block, to the most, and after two blocks with these it is over;
     /// not where the descent is small but clear.
     #[test]
     fn it_is_over_where_there_is_no_descent() {
@@ -316,7 +309,7 @@ mod tests {
                     noise.learn(&rule, LEAST, &Descent { value, by });
                     steps += 1;
                     assert!(steps <= 400, "{of_image}, {run}: {:?}", noise.counts);
-                    // A third of what pays beside four samples of the gradient, or less.
+                    // A ninth of what pays beside four samples of the gradient, √(50 V_I) times as many.
                     let least = 3.0 * of_image.sqrt();
                     assert!(steps <= 60 || images > least, "{of_image}, {run}: {images}");
                 }

@@ -154,7 +154,7 @@ mod tests {
                 no_descent: Some(NoDescent {
                     mean: -1.0,
                     error: 2.0,
-                    steps: 20,
+                    steps: 40,
                 }),
             },
         };

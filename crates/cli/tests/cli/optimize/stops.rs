@@ -44,7 +44,7 @@ fn runs_stop_for_a_reason() {
         0,
         &[
             "the descent cannot be told from zero",
-            "over the last 20 steps",
+            "over the last 40 steps",
         ],
     );
     // A floor that reflects less than nothing.
