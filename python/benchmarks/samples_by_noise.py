@@ -246,7 +246,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("capwalk")
     parser.add_argument("--jobs", nargs="+", default=list(JOBS))
-    parser.add_argument("--spp", nargs="*", default=["2", "4", "16", "64:4"])
+    parser.add_argument("--spp", nargs="*", default=["2", "4", "16", "32:2"])
     parser.add_argument("--theta", nargs="+", type=float, default=[0.9])
     chosen = parser.parse_args()
     examples = Path(__file__).parents[2] / "examples/jobs/flower"

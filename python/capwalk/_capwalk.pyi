@@ -116,8 +116,6 @@ class NoDescent:
     def steps(self) -> int: ...
 
 class SampleCounts:
-    @property
-    def counts(self) -> tuple[float, float]: ...
     def __init__(
         self,
         counts: tuple[float, float],

@@ -22,7 +22,7 @@
 pub struct ByNoise {
     /// `θ`: the standard error that the mean descent of a block of steps may have, relative to it.
     pub theta: f64,
-    /// The most samples per pixel of a gradient. Those of an image cost as much at most.
+    /// The most samples per pixel of a gradient. Images have at most `cost` times as many.
     pub most: u32,
     /// `c`: what a sample of the gradient costs, in samples of the image; a guess, which changes no mean.
     pub cost: f64,
@@ -33,8 +33,6 @@ pub const LEAST: [u32; 2] = [2, 4];
 
 /// [`ByNoise::cost`] with and without anything that moves; measured in `docs/optimize.md`.
 pub const COSTS: [f64; 2] = [50.0, 1.5];
-/// Counts of images end here.
-const MOST_OF_IMAGES: f64 = 1e9;
 /// So many steps are judged together.
 const BLOCK: f64 = 20.0;
 /// The variance of a step's descent becomes smaller or larger by this factor, and larger only if that leaves less than is
@@ -170,7 +168,7 @@ impl StepNoise {
             true => ideal,
             false => ideal.max(least[1].into()),
         };
-        let of_images = limited(0, ratio * beside.min(most), MOST_OF_IMAGES);
+        let of_images = limited(0, ratio * beside.min(most), u32::MAX.into());
         // The noise that images leave to gradients, if they have more than the ideal.
         let left = wanted - by_image / of_images;
         let of_gradients = match left > 0.0 {

@@ -28,12 +28,6 @@ impl SampleCounts {
         }
     }
 
-    /// Of the next step, before they are rounded.
-    #[getter]
-    fn counts(&self) -> [f64; 2] {
-        self.noise.counts
-    }
-
     fn spp(&self) -> [u32; 2] {
         self.noise.spp()
     }

@@ -25,12 +25,12 @@ pub const IN_PLANE: f64 = 1e-9;
 /// The effort of weighing a piece: BSDF and cosine are evaluated.
 const EFFORT_OF_PIECE: u64 = 4;
 
-/// Length of the longest piece that has one sampling weight, radians, where lobes may be narrow. On GPUs it is that of
+/// Length of the longest piece that has one sampling weight, radians, where lobes may be narrow, and on GPUs at
 /// all surfaces that are not diffuse.
 pub const PIECE: f64 = 0.05;
 /// Length of the longest piece at wide lobes, radians.
 const LONGEST_PIECE: f64 = 0.4;
-/// Length of the longest piece at diffuse surfaces, radians. They have little other noise that would hide that of longer ones.
+/// Length of the longest piece at diffuse surfaces, radians. There longer ones add more noise than they save time.
 pub const DIFFUSE_PIECE: f64 = 0.2;
 /// The most pieces of one edge.
 pub const MOST_PIECES: f64 = 32.0;
@@ -424,7 +424,10 @@ pub fn beside_its_face<'v>(
 #[cfg(test)]
 mod tests {
     use capwalk_math::Frame;
-    use capwalk_scene::lobe::{Diffuse, Distribution, LocalBsdf, Microfacets, RoughConductor};
+    use capwalk_scene::bsdf::NormalLimits;
+    use capwalk_scene::lobe::{
+        Diffuse, Distribution, LocalBsdf, Microfacets, RoughConductor, Tilt,
+    };
 
     use super::*;
 
@@ -442,13 +445,16 @@ mod tests {
         };
         let metal = |alpha| tinted(alpha, 0.5);
         let reflectance = Rgb::splat(0.5);
-        let longest = |lobes: &[Lobe], z: f64| {
-            let mut bsdf = LocalBsdf::default();
-            lobes.iter().for_each(|lobe| bsdf.push(0.5, lobe.clone()));
+        let longest_of = |bsdf: LocalBsdf, z: f64| {
             let normal = Vec3::new(0.0, 0.0, 1.0);
             let wi = Vec3::new((1.0 - z * z).sqrt(), 0.0, z);
             let frame = Frame::from_normal(normal);
             longest_piece(&Vertex::new(Vec3::zero(), 0, normal, frame, wi, bsdf))
+        };
+        let longest = |lobes: &[Lobe], z: f64| {
+            let mut bsdf = LocalBsdf::default();
+            lobes.iter().for_each(|lobe| bsdf.push(0.5, lobe.clone()));
+            longest_of(bsdf, z)
         };
         let diffuse = Lobe::Diffuse(Diffuse { reflectance });
         for (lobes, z, expected) in [
@@ -464,5 +470,14 @@ mod tests {
             let found = longest(&lobes, z);
             assert!((found - expected).abs() < 1e-12, "{lobes:?}: {found}");
         }
+        // The mirror direction of a lobe about a normal of its own is another one.
+        let limits = NormalLimits {
+            flip_invalid: true,
+            shadowing: true,
+        };
+        let tilt = Tilt::new(Vec3::new(0.2, 0.0, 1.0), limits);
+        let mut tilted = LocalBsdf::default();
+        tilted.push_tilted(1.0, metal(0.3), Some(tilt));
+        assert_eq!(longest_of(tilted, 1.0), PIECE);
     }
 }

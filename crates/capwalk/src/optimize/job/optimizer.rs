@@ -46,7 +46,7 @@ pub struct SamplesKeys {
 }
 
 impl SamplesKeys {
-    /// The rule, if the gradient of the first step has so many samples, and edges may move.
+    /// The rule, if the gradient of the first step has so many samples, and whether anything may move.
     pub fn rule(self, spp_grad: u32, moves: bool) -> ByNoise {
         ByNoise {
             theta: self.theta,
