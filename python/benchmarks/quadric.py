@@ -38,7 +38,7 @@ import os
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -170,13 +170,20 @@ class Estimate(NamedTuple):
 # capwalk.
 
 
-def gradient(capwalk: str, file: Path, method: str, spp: int, seed: int) -> tuple[float, Any]:
+MOVES = ("-p", "thing.translate.y")
+STEP = 0.01
+"""Of differences. An object of height 2 is blurred over about a quarter by a roughness of 0.05."""
+
+
+def gradient(
+    capwalk: str, file: Path, method: str, spp: int, seed: int, moves: Sequence[str] = MOVES, step: float = STEP
+) -> tuple[float, Any]:
     """Seconds of the CPU, and the file."""
     output = file.with_suffix(".npz")
-    words = [capwalk, "gradient", file, "-p", "thing.translate.y", "--method", method, "--spp", spp]
+    words = [capwalk, "gradient", file, *moves, "--method", method, "--spp", spp]
     words += ["--seed", seed, "--threads", 1, "-o", output]
     if method == "fd":
-        words += ["--step", STEP]
+        words += ["--step", step]
     with tempfile.TemporaryFile("w+") as text:
         child = subprocess.Popen([str(word) for word in words], stdout=text, stderr=text)
         _, status, usage = os.wait4(child.pid, 0)
@@ -187,17 +194,25 @@ def gradient(capwalk: str, file: Path, method: str, spp: int, seed: int) -> tupl
     return usage.ru_utime + usage.ru_stime, np.load(output)
 
 
-def in_capwalk(capwalk: str, file: Path, method: str, seconds: float, seed: int) -> tuple[Estimate, np.ndarray]:
+def in_capwalk(
+    capwalk: str,
+    file: Path,
+    method: str,
+    seconds: float,
+    seed: int,
+    moves: Sequence[str] = MOVES,
+    step: float = STEP,
+) -> tuple[Estimate, np.ndarray]:
     """The derivative after so many seconds, all of the command counted, and the image."""
     few = 2
-    start, _ = gradient(capwalk, file, method, few, seed + 1)
+    start, _ = gradient(capwalk, file, method, few, seed + 1, moves, step)
     spp, spent = few, start
     while spent < start + seconds / 16 and start < seconds:
         spp *= 2
-        spent, _ = gradient(capwalk, file, method, spp, seed + 1)
+        spent, _ = gradient(capwalk, file, method, spp, seed + 1, moves, step)
     each = max(spent - start, 1e-6) / max(spp - few, 1)
     spp = max(few, round(few + (seconds - start) / each)) if spp > few else few
-    spent, found = gradient(capwalk, file, method, spp, seed)
+    spent, found = gradient(capwalk, file, method, spp, seed, moves, step)
     image = found["gradient"].astype(float)
     variance = found["stderr"].astype(float) ** 2
     return Estimate(f"capwalk, `{method}`", image, variance, spp, spent, start), found["value"].astype(float)
@@ -210,12 +225,13 @@ TRIALS = 16
 """The part of the time that each guiding is tried for."""
 PASS = 2**18
 """Samples of a whole image."""
-STEP = 0.01
-"""Of differences. An object of height 2 is blurred over about a quarter by a roughness of 0.05."""
 
 
 class Mitsuba:
     """A scene in Mitsuba, with one thread."""
+
+    key = "thing.vertex_positions"
+    """What moves."""
 
     def __init__(self, file: Path) -> None:
         import drjit as dr
@@ -231,17 +247,20 @@ class Mitsuba:
         self.scene = mi.load_file(self.file)
         self.params = mi.traverse(self.scene)
         self.sensor = self.scene.sensors()[0]
-        self.start = mi.Float(self.params["thing.vertex_positions"])
+        self.start = mi.Float(self.params[self.key])
         width, height = self.sensor.film().size()
         self.spp = 4 * max(1, PASS // int(4 * width * height))
         self.loading = time.process_time() - start
 
-    def guided(self, guiding: str, seed_spp: int) -> tuple[Any, float]:
-        """`prb_projective` with its guiding structure, built once and kept, and the seconds for that."""
-        start = time.process_time()
+    def settings(self) -> dict[str, Any]:
+        """Of the integrator."""
         samples = {"sppc": self.spp // 4, "sppp": 0, "sppi": self.spp}
-        kind = {"type": "prb_projective", "max_depth": 3, "rr_depth": 100, "guiding": guiding}
-        integrator = self.mi.load_dict({**kind, **samples})
+        return {"type": "prb_projective", "max_depth": 3, "rr_depth": 100, **samples}
+
+    def guided(self, guiding: str, seed_spp: int) -> tuple[Any, float]:
+        """The integrator with its guiding structure, built once and kept, and the seconds for that."""
+        start = time.process_time()
+        integrator = self.mi.load_dict({**self.settings(), "guiding": guiding})
         integrator.proj_seed_spp = seed_spp
         self.move()
         integrator.proj_detail.init_indirect_silhouette(self.scene, self.sensor, self.mi.UInt32(77))
@@ -256,7 +275,7 @@ class Mitsuba:
         amount = self.mi.Float(0)
         self.dr.enable_grad(amount)
         moved = self.dr.unravel(self.mi.Point3f, self.start) + self.mi.Vector3f(0, amount, 0)
-        self.params["thing.vertex_positions"] = self.dr.ravel(moved)
+        self.params[self.key] = self.dr.ravel(moved)
         self.params.update()
         return amount
 
@@ -264,7 +283,7 @@ class Mitsuba:
         """Seconds, and the derivative."""
         amount = self.move()
         self.dr.forward(amount, self.dr.ADFlag.ClearEdges)
-        self.dr.eval(self.params["thing.vertex_positions"])
+        self.dr.eval(self.params[self.key])
         self.dr.sync_thread()
         start = time.process_time()
         found = integrator.render_forward(self.scene, self.params, self.sensor, self.mi.UInt32(seed))
