@@ -47,6 +47,9 @@ pub struct Gathers {
     /// True if what facets reflect follows their half vector where edges are gathered around
     /// surfaces; else it stays, or turns with the normal, as on devices.
     pub half_vector: bool,
+    /// True if film points are drawn beside silhouettes of smooth surfaces, too, where edges in pixels
+    /// are gathered; else by the filter alone, as on devices.
+    pub beside_silhouettes: bool,
 }
 
 impl Gathers {
@@ -59,6 +62,7 @@ impl Gathers {
         points: Self::POINTS,
         camera_points: Self::CAMERA_POINTS,
         half_vector: true,
+        beside_silhouettes: true,
     };
     /// Nowhere.
     pub const NONE: Self = Self {
@@ -69,6 +73,7 @@ impl Gathers {
         points: Self::POINTS,
         camera_points: Self::CAMERA_POINTS,
         half_vector: true,
+        beside_silhouettes: true,
     };
 
     /// The names of the segments.
@@ -115,6 +120,7 @@ impl Gathers {
             points: self.points,
             camera_points: self.camera_points,
             half_vector: self.half_vector,
+            beside_silhouettes: self.beside_silhouettes,
         }
     }
 }

@@ -15,10 +15,10 @@ const SAME_TANGENT: f64 = 1e-6;
 /// Texture coordinates that differ by less than this are the same.
 const SAME_UV: f64 = 1e-6;
 
-/// Contrast of faces with interpolated normals, relative to that of flat ones.
+/// Contrast of faces with interpolated normals, relative to the angle between them.
 const SMOOTH: f64 = 0.1;
 /// Smallest contrast.
-const LEAST_CONTRAST: f64 = 1e-3;
+const LEAST_CONTRAST: f64 = 1e-4;
 
 /// What shading discontinuities of a shape depend on.
 pub struct ShadingDiscontinuities<'s> {
@@ -60,16 +60,16 @@ impl<'s> ShadingDiscontinuities<'s> {
         let mesh = &self.shape.mesh;
         let [first, second] = faces.map(|face| mesh.face_cross(face as usize).normalized());
         let turn = (first - second * if flipped { -1.0 } else { 1.0 }).length();
-        // With interpolated normals, only the shadow of a face on itself is discontinuous.
         let is_smooth = self.shape.normals.per_vertex().is_some() && !self.normals_differ(faces);
-        let share = if is_smooth && !self.is_aov {
-            SMOOTH
-        } else {
-            1.0
+        let guess = match is_smooth && !self.is_aov {
+            // With interpolated normals, only the shadow of a face on itself is discontinuous. A finer mesh has more of
+            // these edges in a pixel, but they count no more than those of a coarse one.
+            true => SMOOTH * turn,
+            // Paths that continue from both sides differ by the angle between the faces, and so
+            // does the chance that only one of them hits something small and bright.
+            false => turn.sqrt(),
         };
-        // Paths that continue from both sides differ by the angle between the faces, and so
-        // does the chance that only one of them hits something small and bright.
-        (turn.sqrt() * share).clamp(LEAST_CONTRAST, 1.0)
+        guess.clamp(LEAST_CONTRAST, 1.0)
     }
 
     /// True if a texture of the shape can differ between two neighbouring faces

@@ -25,8 +25,8 @@ use crate::tracer::Tracer;
 
 /// First of the two random numbers that choose the place on the film.
 pub const FILM: u32 = 0;
-/// The random number that chooses between the two densities of film points.
-const FILM_CHOICE: u32 = 2;
+/// The random number that chooses between two densities of film points.
+pub(crate) const FILM_CHOICE: u32 = 2;
 /// Share of film points drawn uniformly over the support: the derivative of a
 /// filter stays finite where the filter goes to zero, so drawing by the filter
 /// alone would give derivatives infinite variance.
@@ -76,7 +76,8 @@ impl Tracer<'_> {
         let moving = self.view(eval, draw);
         let walks_chains = self.walks_chains(eval);
         if eval.is_stationary() && !walks_chains {
-            return self.interior_of_fixed_points(eval, &moving, &support, Shown::All, draw);
+            let point = support.sample_by_filter(draw.stream.pair(FILM));
+            return self.interior_of_fixed_point(eval, &moving, point, Shown::All, draw);
         }
         let camera = Camera {
             primal: moving.value(),
@@ -102,15 +103,16 @@ impl Tracer<'_> {
         draw: Draw,
     ) -> Rgb<R> {
         if eval.is_stationary() {
-            return self.interior_of_fixed_points(eval, &camera.moving, support, shown, draw);
+            let point = support.sample_by_filter(draw.stream.pair(FILM));
+            return self.interior_of_fixed_point(eval, &camera.moving, point, shown, draw);
         }
         if self.gathers.camera
             && eval.moves()
-            && let Some(term) = self.pixel_silhouette_term(eval, camera, pixel, support, draw)
+            && let Some((term, point)) =
+                self.pixel_silhouette_term(eval, camera, pixel, support, draw)
         {
             // Film points stay, also those on the border: there is no pixel-border term.
-            let view = &camera.moving;
-            return self.interior_of_fixed_points(eval, view, support, shown, draw) + term;
+            return self.interior_of_fixed_point(eval, &camera.moving, point, shown, draw) + term;
         }
         let light = self.interior(eval, camera, support, shown, draw);
         match support.is_discontinuous() {
@@ -177,19 +179,8 @@ impl Tracer<'_> {
             counts: &Counts::default(),
         };
         let support = self.supports.pixel(pixel);
-        self.fixed_film_point(&self.view(eval, draw), &support, draw)
-    }
-
-    /// The ray through a film point that stays, sampled by the filter, and its weight.
-    fn fixed_film_point<R: Real>(
-        &self,
-        view: &View<R>,
-        support: &Support,
-        draw: Draw,
-    ) -> (ViewRay<R>, f64) {
-        let s = support.sample(0.0, 0.0, draw.stream.pair(FILM));
-        let ray = view.ray(view.direction(s.map(R::constant)));
-        (ray, support.weight_over_pdf(s))
+        let (s, weight) = support.sample_by_filter(stream.pair(FILM));
+        (ray_of_fixed_point(&self.view(eval, draw), s), weight)
     }
 
     /// What the camera sees from a point sampled on its lens.
@@ -199,18 +190,27 @@ impl Tracer<'_> {
         eval.view(has_lens.then(|| uniform_disk(draw.stream.pair(LENS))))
     }
 
-    /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, sampled as in
-    /// a primal rendering; all of a primal image, and of a derivative that moves nothing on the film.
-    fn interior_of_fixed_points<R: Real, W: SceneEval<R>>(
+    /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, by one of them with its weight over
+    /// its density; all of a primal image, and of a derivative that moves nothing on the film.
+    fn interior_of_fixed_point<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         view: &View<R>,
-        support: &Support,
+        (s, weight): ([f64; 2], f64),
         shown: Shown,
         draw: Draw,
     ) -> Rgb<R> {
-        let (ray, weight) = self.fixed_film_point(view, support, draw);
-        self.weighted(eval, ray, R::constant(weight), shown, draw)
+        // Outside of the support nothing is to be traced.
+        if weight == 0.0 {
+            return Rgb::zero();
+        }
+        self.weighted(
+            eval,
+            ray_of_fixed_point(view, s),
+            R::constant(weight),
+            shown,
+            draw,
+        )
     }
 
     /// A sample of the radiance along a camera ray, times its weight in the pixel.
@@ -345,6 +345,11 @@ impl Tracer<'_> {
     fn camera_viewpoint<R: Real>(&self, view: &View<R>) -> Viewpoint<R> {
         Viewpoint::camera(view, self.events_behind(0))
     }
+}
+
+/// The ray through a film point that stays.
+fn ray_of_fixed_point<R: Real>(view: &View<R>, s: [f64; 2]) -> ViewRay<R> {
+    view.ray(view.direction(s.map(R::constant)))
 }
 
 /// A uniform point of the unit disk.

@@ -9,6 +9,7 @@
 pub mod adaptive;
 mod aov;
 mod average_on_device;
+mod beside_silhouettes;
 mod camera;
 mod chain;
 mod chain_field;

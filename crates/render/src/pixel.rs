@@ -127,6 +127,15 @@ impl Support<'_> {
             .any(|side| side.discontinuous[0] || side.discontinuous[1])
     }
 
+    /// True if a film point is in the support.
+    #[inline]
+    pub fn contains(&self, s: [f64; 2]) -> bool {
+        (0..2).all(|axis| {
+            let [from, to] = self.sides[axis].bounds;
+            s[axis] >= from && s[axis] < to
+        })
+    }
+
     /// The film point opposite to `s`, seen from the middle of the support.
     pub fn mirror(&self, s: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| self.sides[axis].bounds[0] + self.sides[axis].bounds[1] - s[axis])
@@ -141,6 +150,13 @@ impl Support<'_> {
             false => side.sample(u),
         };
         [draw(self.sides[0], u[0]), draw(self.sides[1], u[1])]
+    }
+
+    /// A film point drawn from the filter's magnitude alone, and its weight over its density.
+    #[inline]
+    pub fn sample_by_filter(&self, u: [f64; 2]) -> ([f64; 2], f64) {
+        let s = self.sample(0.0, 0.0, u);
+        (s, self.weight_over_pdf(s))
     }
 
     /// Weight over density of a film point drawn from the filter's magnitude alone.

@@ -15,8 +15,9 @@ use capwalk_math::{Real, Rgb};
 use capwalk_scene::sensor::view::ViewRay;
 
 use crate::camera::Camera;
+use crate::film::{FILM, FILM_CHOICE};
 use crate::pixel::Support;
-use crate::pixel_silhouettes::silhouettes;
+use crate::pixel_silhouettes::{EdgesInPixel, silhouettes};
 use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::{EDGE_NUMBERS, Tracer};
 
@@ -70,13 +71,14 @@ impl Tracer<'_> {
         };
         let support = self.supports.pixel(pixel);
         let u = stream.number(EDGE_NUMBERS);
-        self.with_silhouettes(eval, &camera, (pixel, &support), |silhouettes| {
-            let silhouettes = silhouettes.ok_or(TooManyImages)?;
-            Ok(self.draw_camera_edge(eval, &camera, &support, silhouettes, u, draw))
+        self.with_silhouettes(eval, &camera, (pixel, &support), |edges| {
+            let pieces = &edges.ok_or(TooManyImages)?.pieces;
+            Ok(self.draw_camera_edge(eval, &camera, &support, pieces, u, draw))
         })
     }
 
-    /// A sample of this term for one pixel: a number of value zero, with a derivative. `None` if
+    /// A sample of this term for one pixel: a number of value zero, with a derivative; and the film point of the
+    /// interior term, which stays, with its weight over its density. `None` if
     /// there are too many images in mirrors to gather edges of all of them.
     pub(super) fn pixel_silhouette_term<R: Real, W: SceneEval<R>>(
         &self,
@@ -85,11 +87,11 @@ impl Tracer<'_> {
         pixel: [u32; 2],
         support: &Support,
         draw: Draw,
-    ) -> Option<Rgb<R>> {
+    ) -> Option<(Rgb<R>, ([f64; 2], f64))> {
         let count = self.gathers.camera_points.max(1);
         let u = draw.stream.number(EDGE_NUMBERS);
-        self.with_silhouettes(eval, camera, (pixel, support), |silhouettes| {
-            let Some(silhouettes) = silhouettes else {
+        self.with_silhouettes(eval, camera, (pixel, support), |edges| {
+            let Some(EdgesInPixel { pieces, beside }) = edges else {
                 draw.count_queries(1);
                 return None;
             };
@@ -105,7 +107,7 @@ impl Tracer<'_> {
                     ..draw
                 };
                 let u = (u + f64::from(i)) / f64::from(count);
-                let drawn = self.draw_camera_edge(eval, camera, support, silhouettes, u, draw);
+                let drawn = self.draw_camera_edge(eval, camera, support, pieces, u, draw);
                 let Some(edge) = drawn else {
                     continue;
                 };
@@ -117,7 +119,15 @@ impl Tracer<'_> {
                 let weight = edge.weight / f64::from(count);
                 sum += Rgb::constant((behind - before) * weight) * edge.flow;
             }
-            Some(sum)
+            let point = match self.gathers.beside_silhouettes {
+                true => beside.sample(
+                    support,
+                    draw.stream.number(FILM_CHOICE),
+                    draw.stream.pair(FILM),
+                ),
+                false => support.sample_by_filter(draw.stream.pair(FILM)),
+            };
+            Some((sum, point))
         })
     }
 
@@ -128,7 +138,7 @@ impl Tracer<'_> {
         eval: &W,
         camera: &Camera<R>,
         (pixel, support): ([u32; 2], &Support),
-        then: impl FnOnce(Option<&SilhouettePieces>) -> T,
+        then: impl FnOnce(Option<&EdgesInPixel>) -> T,
     ) -> T {
         let moving = self.moving.as_ref();
         let field = &moving.expect("only scenes that move have this term").field;

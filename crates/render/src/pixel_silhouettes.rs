@@ -8,6 +8,7 @@ use capwalk_geometry::{ConeQuery, EdgeSelection, uncounted};
 use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::Scene;
 
+use crate::beside_silhouettes::BesideSilhouettes;
 use crate::camera::Camera;
 use crate::pixel::Support;
 use crate::scene_eval::SceneEval;
@@ -24,9 +25,18 @@ pub struct PixelSilhouettes {
     kept: AtomicUsize,
 }
 
-/// The pieces of a pixel; `None` if there are too many images in mirrors, or edges in them. In a box: most pixels of large
+/// The edges of a pixel; `None` if there are too many images in mirrors, or edges in them. In a box: most pixels of large
 /// images have none.
-type OfPixel = OnceLock<Option<Box<SilhouettePieces>>>;
+type OfPixel = OnceLock<Option<Box<EdgesInPixel>>>;
+
+/// The edges that the camera may see in a pixel.
+#[derive(Clone, Debug)]
+pub struct EdgesInPixel {
+    /// Where points are drawn on them.
+    pub pieces: SilhouettePieces,
+    /// Where film points are drawn beside those that are silhouettes of smooth surfaces.
+    pub beside: BesideSilhouettes,
+}
 
 /// The most pieces that it keeps: some hundred megabytes.
 const MOST_KEPT: usize = 1 << 22;
@@ -44,7 +54,7 @@ const LEAST_SPEED: f64 = 0.01;
 /// Sampling weight of no edge at all, relative to a silhouette across the filter's
 /// support: in pixels with creases alone, where the discontinuity is small, few samples
 /// take one.
-const NOTHING: f64 = 0.05;
+const NOTHING: f64 = 0.02;
 /// Radians by which cones are opened: more than rounding.
 const MARGIN: f64 = 1e-9;
 
@@ -64,39 +74,39 @@ impl PixelSilhouettes {
         }
     }
 
-    /// Calls `then` with the pieces of a pixel, from the cache or else from `make`.
+    /// Calls `then` with the edges in a pixel, from the cache or else from `make`.
     pub fn with<T>(
         &self,
         [x, y]: [u32; 2],
-        make: impl Fn() -> Option<SilhouettePieces>,
-        then: impl FnOnce(Option<&SilhouettePieces>) -> T,
+        make: impl Fn() -> Option<EdgesInPixel>,
+        then: impl FnOnce(Option<&EdgesInPixel>) -> T,
     ) -> T {
         let index = y as usize * self.width + x as usize;
         let empty = || (0..self.count).map(|_| OnceLock::new()).collect();
         let cell = self.pixels.get_or_init(empty).get(index);
-        if let Some(pieces) = cell.and_then(OnceLock::get) {
-            return then(pieces.as_deref());
+        if let Some(edges) = cell.and_then(OnceLock::get) {
+            return then(edges.as_deref());
         }
         // Kept for all samples, they are no effort of this one.
-        let pieces = match cell {
+        let edges = match cell {
             Some(_) => uncounted(make),
             None => make(),
         };
         if let Some(cell) = cell {
-            let count = pieces.as_ref().map_or(0, SilhouettePieces::count);
+            let count = edges.as_ref().map_or(0, |edges| edges.pieces.count());
             let kept = self.kept.fetch_add(count, Ordering::Relaxed);
-            let pieces = pieces.map(Box::new);
+            let edges = edges.map(Box::new);
             if kept + count > MOST_KEPT {
                 self.kept.fetch_sub(count, Ordering::Relaxed);
-                return then(pieces.as_deref());
+                return then(edges.as_deref());
             }
             // Another sample of the pixel may have been first.
-            if cell.set(pieces).is_err() {
+            if cell.set(edges).is_err() {
                 self.kept.fetch_sub(count, Ordering::Relaxed);
             }
             return then(cell.get().and_then(Option::as_deref));
         }
-        then(pieces.as_ref())
+        then(edges.as_ref())
     }
 }
 
@@ -126,7 +136,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     support: &Support,
     events: u32,
     spreads: &[f64],
-) -> Option<SilhouettePieces> {
+) -> Option<EdgesInPixel> {
     let view = &camera.primal;
     // Gather what is in a cone around the support, which is a pyramid of four planes.
     let [x, y] = support.sides.map(|side| side.bounds);
@@ -173,6 +183,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
     };
     let images = accel.images(view.origin, planes, events)?;
     let mut weighed: Vec<Weighed> = Vec::new();
+    let mut beside = BesideSilhouettes::new(support);
     let mut gathered = Vec::new();
     let mut most = usize::MAX;
     for (number, image) in (0..).zip(&images) {
@@ -203,6 +214,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
             let [near, far] = [first, last].map(|p| view.depth(view.origin + p));
             let place = |part| place([from, to], [near, far], part);
             let count = (length / PIECE).ceil().clamp(1.0, 1e3);
+            let known = weighed.len();
             let (points, normal) = (boundaries.edge(edge).vertices, a.cross(b).normalized());
             for i in 0..count as u32 {
                 let part = |k: f64| (f64::from(i) + k) / count;
@@ -228,6 +240,10 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
                     speed: first + last,
                 });
             }
+            let moves = weighed.len() > known;
+            if moves && image.is_direct() && boundaries.edge(edge).is_silhouette(mesh, image.apex) {
+                beside.push(accel, view, [first, last], boundaries.edge(edge).sides);
+            }
             if weighed.len() > most {
                 return None;
             }
@@ -247,5 +263,5 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
         );
     }
     pieces.push_nothing(NOTHING / area.sqrt());
-    Some(pieces)
+    Some(EdgesInPixel { pieces, beside })
 }

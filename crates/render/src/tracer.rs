@@ -174,6 +174,7 @@ impl<'a> Tracer<'a> {
             points: Gathers::POINTS,
             camera_points: Gathers::CAMERA_POINTS,
             half_vector: true,
+            beside_silhouettes: true,
         }
     }
 

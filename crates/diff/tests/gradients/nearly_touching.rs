@@ -78,6 +78,10 @@ fn slabs_as_thin_as_rounding() {
         let mut scene = under_sky(from, Vec3::zero(), fov);
         add_box(&mut scene, v(0.5, thin, 0.5), Vec3::zero(), 0.1);
         let tangent = tangent(&scene, "thing.translate.x");
-        agree(&format!("{thin}"), scene, &tangent, case(Method::EDGES));
+        let case = Case {
+            gradient_spp: 1000,
+            ..case(Method::EDGES)
+        };
+        agree(&format!("{thin}"), scene, &tangent, case);
     }
 }

@@ -118,7 +118,7 @@ fn transmitting_surface() {
     };
     let expression = "thing.translate.x + below.translate.y + below.translate.z";
     let case = Case {
-        gradient_spp: 150,
+        gradient_spp: 600,
         ..case()
     };
     sky_case("transmitting", scene, expression, case);

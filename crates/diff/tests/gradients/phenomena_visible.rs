@@ -7,7 +7,9 @@
 use crate::common::agree::*;
 use crate::common::stages::*;
 use crate::common::*;
-use capwalk_diff::{Gathers, Method};
+use capwalk_diff::{
+    Gathers, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
+};
 use capwalk_math::{Affine, Vec3};
 use capwalk_scene::primitive::icosphere;
 use capwalk_scene::*;
@@ -46,6 +48,31 @@ fn built_in_ball() {
     });
     let methods = [(case.method, case.gradient_spp), (many, 24)];
     agree_by(&methods, "built-in ball", scene, &tangent, case);
+}
+
+/// At the outline of a smooth ball points on the surface move fast against the camera's rays. Film points that are drawn
+/// beside it leave much less noise there, with many points on the outline itself.
+#[test]
+fn smooth_outlines_leave_little_noise() {
+    let scene = builtin::scene("ball").expect("a built-in scene");
+    let tangent = tangent(&scene, "ball.translate.x");
+    let prepared = PreparedScene::new(scene);
+    let variance = |beside_silhouettes: bool| {
+        let method = Method::Edges(Gathers {
+            camera_points: 16,
+            beside_silhouettes,
+            ..Gathers::ALL
+        });
+        let options = GradientOptions {
+            method,
+            ..GradientOptions::new(RenderOptions::new(32, 5))
+        };
+        let result = gradient(&prepared, &tangent, &options, &Unwatched).expect("covered");
+        let errors = result.gradient.standard_error.pixels;
+        errors.iter().map(|error| error.dot(*error)).sum::<f64>()
+    };
+    let (with, without) = (variance(true), variance(false));
+    assert!(with < 0.5 * without, "{with} {without}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The boundary term of the edges that the camera sees: beside the CPU's, sample by sample, in
 //! scenes whose derivative has no other term.
 
-use capwalk_diff::{GradientImage, GradientOptions, Method, Wanted};
+use capwalk_diff::{Gathers, GradientImage, GradientOptions, Method, Wanted};
 use capwalk_gpu::Precision;
 use capwalk_gpu_render::{DeviceError, DeviceScene};
 use capwalk_math::{Rgb, Vec3};
@@ -186,7 +186,10 @@ fn with_moving_camera(mut tangent: Tangent) -> Tangent {
 
 fn options(spp: u32) -> GradientOptions {
     GradientOptions {
-        method: Method::EDGES,
+        method: Method::Edges(Gathers {
+            beside_silhouettes: false,
+            ..Gathers::ALL
+        }),
         ..GradientOptions::new(RenderOptions::new(spp, 7))
     }
 }

@@ -30,9 +30,10 @@ const SIZE: [u32; 2] = [24, 18];
 const SEEDS: u64 = 3;
 const FEWEST_MOVE: usize = 1500;
 
-/// Edges are gathered before the camera, emitters and the environment alone.
+/// Edges are gathered before the camera, emitters and the environment alone, and film points drawn as on devices.
 const WALKS: Method = Method::Edges(Gathers {
     indirect: false,
+    beside_silhouettes: false,
     ..Gathers::ALL
 });
 

@@ -1,0 +1,195 @@
+//! Film points beside silhouettes of smooth surfaces (METHOD 8).
+//!
+//! Where a smooth surface turns away from the camera, the point that a ray hits moves along the surface by one over the
+//! cosine between the two, which falls like the root of the distance `t` from the silhouette on the film. So the derivative
+//! of what is seen there grows like `1 / √t`: its integral is finite, but not that of its square. Film points that are drawn
+//! with a density in proportion to `1 / √t` see no large values.
+
+use capwalk_boundary::Accel;
+use capwalk_geometry::Sides;
+use capwalk_math::Vec3;
+use capwalk_scene::sensor::view::View;
+
+use crate::pixel::Support;
+
+/// The largest cosine between the camera's rays and both faces at an edge for which they count as a smooth surface that
+/// turns away.
+const GRAZING: f64 = 0.3;
+
+/// Width of a strip, relative to the side of a support as large.
+const WIDTH: f64 = 0.25;
+
+/// Share of the film points that are drawn beside silhouettes in pixels that have any.
+const SHARE: f64 = 0.3;
+
+/// The most strips of a pixel: the density of each film point is a sum over them.
+const MOST: usize = 64;
+
+/// How far beside an edge a point is that tells on which side of it a direction is, in radians.
+const ASIDE: f64 = 1e-4;
+
+/// Strips of the film on the inner sides of silhouettes.
+#[derive(Clone, Debug, Default)]
+pub struct BesideSilhouettes {
+    strips: Vec<Strip>,
+    /// Of all strips, pixels.
+    length: f64,
+    /// Of each strip, pixels.
+    width: f64,
+}
+
+/// A rectangle on the film at a piece of a silhouette.
+#[derive(Clone, Copy, Debug)]
+struct Strip {
+    start: [f64; 2],
+    /// The unit vectors along the silhouette and from it to the surface.
+    along: [f64; 2],
+    inward: [f64; 2],
+    length: f64,
+    /// Sum of the lengths of those before.
+    before: f64,
+}
+
+impl BesideSilhouettes {
+    /// None yet, in a pixel with this support.
+    pub fn new(support: &Support) -> Self {
+        let area = support.sides[0].width() * support.sides[1].width();
+        Self {
+            width: WIDTH * area.sqrt(),
+            ..Self::default()
+        }
+    }
+
+    /// Adds a silhouette, from its first to its last offset from the camera, between two faces, if these are seen at
+    /// grazing angles.
+    pub fn push(
+        &mut self,
+        accel: &Accel,
+        view: &View<f64>,
+        [first, last]: [Vec3; 2],
+        sides: Sides,
+    ) {
+        let Sides::Between { faces, .. } = sides else {
+            return;
+        };
+        let mesh = &accel.mesh;
+        let ray = (first + last).normalized();
+        let is_grazing = |face: u32| {
+            let normal = mesh.face_cross(face as usize).normalized();
+            normal.dot(ray).abs() < GRAZING
+        };
+        let [start, end] = [first, last].map(|offset| view.film(offset));
+        let along = [end[0] - start[0], end[1] - start[1]];
+        let length = along[0].hypot(along[1]);
+        if length == 0.0 || !faces.iter().all(|&face| is_grazing(face)) {
+            return;
+        }
+        // The surface is where the middle of a face is.
+        let plane = first.cross(last).normalized();
+        let corners = mesh.corners(faces[0] as usize);
+        let middle = (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0) - view.origin;
+        let aside = ray + plane * (ASIDE * middle.dot(plane).signum());
+        let [from, to] = [ray, aside].map(|direction| view.film(direction));
+        let along = along.map(|x| x / length);
+        let across = [-along[1], along[0]];
+        let sign = ((to[0] - from[0]) * across[0] + (to[1] - from[1]) * across[1]).signum();
+        self.add(start, along, across.map(|x| x * sign), length);
+    }
+
+    /// Adds a strip from a film point in two unit directions.
+    fn add(&mut self, start: [f64; 2], along: [f64; 2], inward: [f64; 2], length: f64) {
+        self.strips.push(Strip {
+            start,
+            along,
+            inward,
+            length,
+            before: self.length,
+        });
+        self.length += length;
+    }
+
+    /// A film point with its weight in the pixel over its density: beside a silhouette or, as everywhere else, by the filter;
+    /// `choice` decides. Beside a silhouette it may be outside of the support, where its weight is 0.
+    pub fn sample(&self, support: &Support, choice: f64, [u, v]: [f64; 2]) -> ([f64; 2], f64) {
+        if self.strips.is_empty() || self.strips.len() > MOST {
+            return support.sample_by_filter([u, v]);
+        }
+        let s = match choice < SHARE {
+            true => self.draw(choice / SHARE, [u, v]),
+            false => support.sample(0.0, 0.0, [u, v]),
+        };
+        if !support.contains(s) {
+            return (s, 0.0);
+        }
+        let density = SHARE * self.density(s) + (1.0 - SHARE) * support.pdf(0.0, s);
+        (s, support.weight(s) / density)
+    }
+
+    /// A point on a strip, each in proportion to its length.
+    fn draw(&self, choice: f64, [u, v]: [f64; 2]) -> [f64; 2] {
+        let target = choice * self.length;
+        let after = self.strips.partition_point(|strip| strip.before <= target);
+        let strip = &self.strips[after.max(1) - 1];
+        let (along, inward) = (v * strip.length, u * u * self.width);
+        [0, 1].map(|k| strip.start[k] + along * strip.along[k] + inward * strip.inward[k])
+    }
+
+    /// The density of such points, per pixel area.
+    fn density(&self, s: [f64; 2]) -> f64 {
+        let of_strip = |strip: &Strip| {
+            let offset = [0, 1].map(|k| s[k] - strip.start[k]);
+            let dot = |v: [f64; 2]| offset[0] * v[0] + offset[1] * v[1];
+            let (along, inward) = (dot(strip.along), dot(strip.inward));
+            let is_inside =
+                (0.0..=strip.length).contains(&along) && inward > 0.0 && inward <= self.width;
+            match is_inside {
+                true => 0.5 / (self.width * inward).sqrt(),
+                false => 0.0,
+            }
+        };
+        self.strips.iter().map(of_strip).sum::<f64>() / self.length
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_boundary::Stream;
+    use capwalk_math::Moments;
+    use capwalk_scene::{Film, Filter};
+
+    use super::*;
+    use crate::pixel::Supports;
+
+    /// The means of the weight and of the weight times the point are 1 and the pixel's centre: film points have the density
+    /// that is claimed, also where strips cross each other and leave the support.
+    #[test]
+    fn film_points_have_their_density() {
+        for filter in [
+            Filter::Box,
+            Filter::Gaussian { stddev: 0.5 },
+            Filter::Mitchell { b: 0.2, c: 0.4 },
+        ] {
+            let supports = Supports::new(&Film::new(5, 5, filter));
+            let support = supports.pixel([2, 2]);
+            let mut beside = BesideSilhouettes::new(&support);
+            for (start, turn, length) in [([2.1, 2.3], 0.3_f64, 0.7), ([2.6, 2.2], 1.9, 0.9)] {
+                let (sin, cos) = turn.sin_cos();
+                beside.add(start, [cos, sin], [-sin, cos], length);
+            }
+            let mut means = [Moments::default(); 3];
+            for number in 0..400_000 {
+                let stream = Stream::independent(7, number);
+                let ([x, y], weight) = beside.sample(&support, stream.number(0), stream.pair(1));
+                let numbers = [weight - 1.0, weight * (x - 2.5), weight * (y - 2.5)];
+                means
+                    .iter_mut()
+                    .zip(numbers)
+                    .for_each(|(mean, x)| mean.add(x));
+            }
+            for mean in means {
+                let z = mean.mean / mean.standard_error();
+                assert!(z.abs() < 3.5, "{filter:?}: {z}");
+            }
+        }
+    }
+}
