@@ -10,7 +10,7 @@ use capwalk_geometry::Sides;
 use capwalk_math::Vec3;
 use capwalk_scene::sensor::view::View;
 
-use crate::pixel::Support;
+use crate::pixel::{DrawnPoint, Support};
 
 /// The largest cosine between the camera's rays and both faces at an edge for which they count as a smooth surface that
 /// turns away.
@@ -108,21 +108,24 @@ impl BesideSilhouettes {
         self.length += length;
     }
 
-    /// A film point with its weight in the pixel over its density: beside a silhouette or, as everywhere else, by the filter;
-    /// `choice` decides. Beside a silhouette it may be outside of the support, where its weight is 0.
-    pub fn sample(&self, support: &Support, choice: f64, [u, v]: [f64; 2]) -> ([f64; 2], f64) {
+    /// A film point: beside a silhouette or, as everywhere else, by the filter; `choice` decides. Beside a
+    /// silhouette it may be outside of the support, where its weight is 0.
+    pub fn sample(&self, support: &Support, choice: f64, [u, v]: [f64; 2]) -> DrawnPoint {
         if self.strips.is_empty() || self.strips.len() > MOST {
             return support.sample_by_filter([u, v]);
         }
-        let s = match choice < SHARE {
+        let place = match choice < SHARE {
             true => self.draw(choice / SHARE, [u, v]),
             false => support.sample(0.0, 0.0, [u, v]),
         };
-        if !support.contains(s) {
-            return (s, 0.0);
-        }
-        let density = SHARE * self.density(s) + (1.0 - SHARE) * support.pdf(0.0, s);
-        (s, support.weight(s) / density)
+        let weight = match support.contains(place) {
+            true => {
+                let density = SHARE * self.density(place) + (1.0 - SHARE) * support.pdf(0.0, place);
+                support.weight(place) / density
+            }
+            false => 0.0,
+        };
+        DrawnPoint { place, weight }
     }
 
     /// A point on a strip, each in proportion to its length.
@@ -179,7 +182,11 @@ mod tests {
             let mut means = [Moments::default(); 3];
             for number in 0..400_000 {
                 let stream = Stream::independent(7, number);
-                let ([x, y], weight) = beside.sample(&support, stream.number(0), stream.pair(1));
+                let drawn = beside.sample(&support, stream.number(0), stream.pair(1));
+                let DrawnPoint {
+                    place: [x, y],
+                    weight,
+                } = drawn;
                 let numbers = [weight - 1.0, weight * (x - 2.5), weight * (y - 2.5)];
                 means
                     .iter_mut()

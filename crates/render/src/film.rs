@@ -17,7 +17,7 @@ use capwalk_scene::sensor::view::{View, ViewRay};
 
 use crate::camera::Camera;
 use crate::chain::Start;
-use crate::pixel::Support;
+use crate::pixel::{DrawnPoint, Support};
 use crate::plan::LENS;
 use crate::radiance::Shown;
 use crate::scene_eval::{Primal, SceneEval, Warped};
@@ -179,8 +179,11 @@ impl Tracer<'_> {
             counts: &Counts::default(),
         };
         let support = self.supports.pixel(pixel);
-        let (s, weight) = support.sample_by_filter(stream.pair(FILM));
-        (ray_of_fixed_point(&self.view(eval, draw), s), weight)
+        let point = support.sample_by_filter(stream.pair(FILM));
+        (
+            ray_of_fixed_point(&self.view(eval, draw), point.place),
+            point.weight,
+        )
     }
 
     /// What the camera sees from a point sampled on its lens.
@@ -190,13 +193,12 @@ impl Tracer<'_> {
         eval.view(has_lens.then(|| uniform_disk(draw.stream.pair(LENS))))
     }
 
-    /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, by one of them with its weight over
-    /// its density; all of a primal image, and of a derivative that moves nothing on the film.
+    /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, by one of them; all of a primal image, and of a derivative that moves nothing on the film.
     fn interior_of_fixed_point<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
         view: &View<R>,
-        (s, weight): ([f64; 2], f64),
+        DrawnPoint { place, weight }: DrawnPoint,
         shown: Shown,
         draw: Draw,
     ) -> Rgb<R> {
@@ -206,7 +208,7 @@ impl Tracer<'_> {
         }
         self.weighted(
             eval,
-            ray_of_fixed_point(view, s),
+            ray_of_fixed_point(view, place),
             R::constant(weight),
             shown,
             draw,

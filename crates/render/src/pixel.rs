@@ -45,6 +45,14 @@ pub struct Support<'a> {
     pub sides: [&'a Side; 2],
 }
 
+/// A film point that was drawn for a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct DrawnPoint {
+    pub place: [f64; 2],
+    /// The normalised filter there over the density of the point.
+    pub weight: f64,
+}
+
 /// The supports of all pixels of a film.
 #[derive(Clone, Debug)]
 pub struct Supports {
@@ -152,11 +160,12 @@ impl Support<'_> {
         [draw(self.sides[0], u[0]), draw(self.sides[1], u[1])]
     }
 
-    /// A film point drawn from the filter's magnitude alone, and its weight over its density.
+    /// A film point drawn from the filter's magnitude alone.
     #[inline]
-    pub fn sample_by_filter(&self, u: [f64; 2]) -> ([f64; 2], f64) {
-        let s = self.sample(0.0, 0.0, u);
-        (s, self.weight_over_pdf(s))
+    pub fn sample_by_filter(&self, u: [f64; 2]) -> DrawnPoint {
+        let place = self.sample(0.0, 0.0, u);
+        let weight = self.weight_over_pdf(place);
+        DrawnPoint { place, weight }
     }
 
     /// Weight over density of a film point drawn from the filter's magnitude alone.

@@ -16,7 +16,7 @@ use capwalk_scene::sensor::view::ViewRay;
 
 use crate::camera::Camera;
 use crate::film::{FILM, FILM_CHOICE};
-use crate::pixel::Support;
+use crate::pixel::{DrawnPoint, Support};
 use crate::pixel_silhouettes::{EdgesInPixel, silhouettes};
 use crate::scene_eval::{Primal, SceneEval};
 use crate::tracer::{EDGE_NUMBERS, Tracer};
@@ -78,8 +78,7 @@ impl Tracer<'_> {
     }
 
     /// A sample of this term for one pixel: a number of value zero, with a derivative; and the film point of the
-    /// interior term, which stays, with its weight over its density. `None` if
-    /// there are too many images in mirrors to gather edges of all of them.
+    /// interior term, which stays. `None` if there are too many images in mirrors to gather edges of all of them.
     pub(super) fn pixel_silhouette_term<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,
@@ -87,7 +86,7 @@ impl Tracer<'_> {
         pixel: [u32; 2],
         support: &Support,
         draw: Draw,
-    ) -> Option<(Rgb<R>, ([f64; 2], f64))> {
+    ) -> Option<(Rgb<R>, DrawnPoint)> {
         let count = self.gathers.camera_points.max(1);
         let u = draw.stream.number(EDGE_NUMBERS);
         self.with_silhouettes(eval, camera, (pixel, support), |edges| {
