@@ -62,8 +62,8 @@ impl<'s> ShadingDiscontinuities<'s> {
         let turn = (first - second * if flipped { -1.0 } else { 1.0 }).length();
         let is_smooth = self.shape.normals.per_vertex().is_some() && !self.normals_differ(faces);
         let guess = match is_smooth && !self.is_aov {
-            // With interpolated normals, only the shadow of a face on itself is discontinuous. A finer mesh has more of
-            // these edges in a pixel, but they count no more than those of a coarse one.
+            // With interpolated normals, only the shadow of a face on itself is discontinuous. In proportion to the
+            // angle, the many edges of a fine mesh count no more than the few of a coarse one.
             true => SMOOTH * turn,
             // Paths that continue from both sides differ by the angle between the faces, and so
             // does the chance that only one of them hits something small and bright.

@@ -242,7 +242,12 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
             }
             let moves = weighed.len() > known;
             if moves && image.is_direct() && boundaries.edge(edge).is_silhouette(mesh, image.apex) {
-                beside.push(accel, view, [first, last], boundaries.edge(edge).sides);
+                beside.push(
+                    (accel, support),
+                    view,
+                    [first, last],
+                    boundaries.edge(edge).sides,
+                );
             }
             if weighed.len() > most {
                 return None;
