@@ -6,11 +6,14 @@
 >>> derivative.gradient.shape == derivative.stderr.shape == derivative.value.shape
 True
 
+`__version__` is the version, as `capwalk --version` prints it.
+
 Images are arrays (height, width, 3) of linear RGB in double precision. Lengths are in world
 units, angles of parameters in radians.
 """
 
 from . import cameras
+from ._capwalk import VERSION as __version__
 from ._capwalk import Scene
 from ._dictionary import load_dict
 from ._files import load_image, load_mesh, save_image, save_mesh
@@ -65,6 +68,7 @@ __all__ = [
     "Transform",
     "UnreliableWarning",
     "WorkerError",
+    "__version__",
     "backward",
     "cameras",
     "check",

@@ -11,6 +11,7 @@ import sys
 import tempfile
 import time
 import venv
+from importlib import metadata
 from pathlib import Path
 
 WIDTH, HEIGHT = 64, 48
@@ -38,6 +39,7 @@ def check() -> None:
     verdict = cw.check(scene, NAME, spp=64)
     print(verdict)
     assert verdict.right, "the derivative is not right"
+    assert cw.__version__ == metadata.version("capwalk")
 
 
 def check_fresh(package: Path) -> None:

@@ -391,3 +391,8 @@ def test_files_that_are_no_images(tmp_path: Path) -> None:
         cw.load_image(tmp_path / "image.gif")
     with pytest.raises(cw.ImageError, match="missing.exr"):
         cw.load_image(tmp_path / "missing.exr")
+
+
+def test_the_version_is_that_of_the_crates() -> None:
+    manifest = ROOT.parent / "Cargo.toml"
+    assert f'version = "{cw.__version__}"' in manifest.read_text()

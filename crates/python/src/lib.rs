@@ -26,6 +26,8 @@ mod _capwalk {
     #[pymodule_export]
     const LEAST_WIDTH: usize = capwalk::scene_io::image::LEAST_WIDTH;
     #[pymodule_export]
+    const VERSION: &str = env!("CARGO_PKG_VERSION");
+    #[pymodule_export]
     use crate::jobs::optimize;
     #[pymodule_export]
     use crate::mesh::{read_mesh, write_mesh};
