@@ -187,7 +187,7 @@ def test_without_the_library_it_says_what_to_install(monkeypatch: pytest.MonkeyP
 
 VIEWS: dict[str, list[float]] = {"front": [0, 0, 6], "side": [6, 0, 0.1], "back": [0, 1, -6]}
 
-SIZE, STEPS, REMESHED, SEEDS = 16, 30, range(5, 30, 5), 4
+SIZE, STEPS, REMESHED = 16, 30, range(5, 30, 5)
 """Of the images, of each optimisation, of these those that begin with remeshing, and of optimisations."""
 
 
@@ -250,9 +250,10 @@ def test_a_blob_is_found_with_a_smaller_loss_if_the_state_is_transferred() -> No
         loss = np.square(np.stack(images) - targets).mean()
         return float(loss), float(np.percentile(shapes_of(values[name], faces), 5))
 
-    ways = ("none", "new Adam", "wrong vertices", "transfer")
-    results = {way: np.array([found(seed, way) for seed in range(SEEDS)]) for way in ways}
-    for way in ways[:3]:
-        gains = results[way][:, 0] - results["transfer"][:, 0]
+    # Seeds; the state of wrong vertices is not much worse.
+    ways = {"none": 4, "new Adam": 4, "wrong vertices": 14, "transfer": 14}
+    results = {way: np.array([found(seed, way) for seed in range(seeds)]) for way, seeds in ways.items()}
+    for way in ("none", "new Adam", "wrong vertices"):
+        gains = results[way][:, 0] - results["transfer"][: ways[way], 0]
         assert gains.mean() > 3 * gains.std(ddof=1) / np.sqrt(len(gains)), results
     assert (results["none"][:, 1] < 0.5).all() and (results["transfer"][:, 1] > 0.7).all(), results

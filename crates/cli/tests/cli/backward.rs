@@ -49,7 +49,7 @@ fn arrays_and_scalars_belong_together() {
     write_adjoint(&capwalk, "a.npz", "adjoint", |_| {});
     let scalars = [
         "ball.translate.x",
-        "ball.rotate.y",
+        "ball.translate.y+ball.rotate.y",
         "ball.translate.x-0.5*ball.scale",
         "lamp.emitter.radiance.value.g",
         "1*lamp.emitter.radiance.value",
