@@ -6,7 +6,7 @@
 >>> derivative.gradient.shape == derivative.stderr.shape == derivative.value.shape
 True
 
-`__version__` is the version, as `capwalk --version` prints it.
+`__version__` is the version that `capwalk --version` prints.
 
 Images are arrays (height, width, 3) of linear RGB in double precision. Lengths are in world
 units, angles of parameters in radians.

@@ -70,10 +70,7 @@ impl Gathers {
         emitters: false,
         environment: false,
         indirect: false,
-        points: Self::POINTS,
-        camera_points: Self::CAMERA_POINTS,
-        half_vector: true,
-        beside_silhouettes: true,
+        ..Self::ALL
     };
 
     /// The names of the segments.
@@ -117,10 +114,7 @@ impl Gathers {
             emitters: self.emitters && !other.emitters,
             environment: self.environment && !other.environment,
             indirect: self.indirect && !other.indirect,
-            points: self.points,
-            camera_points: self.camera_points,
-            half_vector: self.half_vector,
-            beside_silhouettes: self.beside_silhouettes,
+            ..self
         }
     }
 }

@@ -5,8 +5,8 @@
 //! the film. So the derivative of what is seen there grows like `1 / √t`: it has an integral, but its square has none. Film
 //! points that are drawn with a density in proportion to `1 / √t` see no large values.
 
-use capwalk_boundary::Accel;
-use capwalk_geometry::Sides;
+use capwalk_boundary::beside;
+use capwalk_geometry::{Edge, Mesh, Sides};
 use capwalk_math::Vec3;
 use capwalk_scene::sensor::view::View;
 
@@ -24,9 +24,6 @@ const SHARE: f64 = 0.3;
 
 /// The most strips of a pixel: the density of each film point is a sum over them. Where there would be more, there are none.
 const MOST: usize = 64;
-
-/// How far beside an edge a point is that tells on which side of it a direction is, in radians.
-const ASIDE: f64 = 1e-4;
 
 /// Strips of the film on the inner sides of silhouettes.
 #[derive(Clone, Debug, Default)]
@@ -63,40 +60,45 @@ impl BesideSilhouettes {
         }
     }
 
-    /// Adds the part of a silhouette in the support, from its first to its last offset from the camera, if the two faces
-    /// beside it are seen at grazing angles and lie in the support as well.
+    /// Adds the part of an edge in the support, from its first to its last offset from the camera, if it is a silhouette,
+    /// and the two faces beside it are seen at grazing angles and lie in the support as well.
     pub fn push(
         &mut self,
-        (accel, support): (&Accel, &Support),
+        mesh: &Mesh,
         view: &View<f64>,
+        support: &Support,
+        edge: &Edge,
         [first, last]: [Vec3; 2],
-        sides: Sides,
     ) {
-        let Sides::Between { faces, .. } = sides else {
+        let Sides::Between { faces, .. } = edge.sides else {
             return;
         };
-        let mesh = &accel.mesh;
         let ray = (first + last).normalized();
-        let is_grazing = |face: u32| {
+        let is_grazing = |&face: &u32| {
             let normal = mesh.face_cross(face as usize).normalized();
             normal.dot(ray).abs() < GRAZING
         };
         let [start, end] = [first, last].map(|offset| view.film(offset));
         let along = [end[0] - start[0], end[1] - start[1]];
         let length = along[0].hypot(along[1]);
-        if length == 0.0 || !faces.iter().all(|&face| is_grazing(face)) {
+        let is_seen = length > 0.0 && faces.iter().all(is_grazing);
+        if !is_seen || !edge.is_silhouette(mesh, view.origin) {
             return;
         }
         // The surface is where the middle of a face is.
         let plane = first.cross(last).normalized();
-        let corners = mesh.corners(faces[0] as usize);
-        let middle = (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0) - view.origin;
-        let aside = ray + plane * (ASIDE * middle.dot(plane).signum());
-        let [from, to] = [ray, aside].map(|direction| view.film(direction));
+        let [a, b, c] = mesh.corners(faces[0] as usize);
+        let is_before = plane.dot(a + b + c - view.origin * 3.0) > 0.0;
+        let [behind, before] = beside(ray, plane).map(|direction| view.film(direction));
         let along = along.map(|x| x / length);
         let across = [-along[1], along[0]];
-        let sign = ((to[0] - from[0]) * across[0] + (to[1] - from[1]) * across[1]).signum();
-        let inward = across.map(|x| x * sign);
+        let is_across =
+            (before[0] - behind[0]) * across[0] + (before[1] - behind[1]) * across[1] > 0.0;
+        let inward = match is_before == is_across {
+            true => across,
+            false => across.map(|x| -x),
+        };
+        // Where the points of a strip have their median.
         let inside = [0, 1].map(|k| 0.5 * (start[k] + end[k]) + 0.25 * self.width * inward[k]);
         if support.contains(inside) {
             self.add(start, along, inward, length);

@@ -193,7 +193,8 @@ impl Tracer<'_> {
         eval.view(has_lens.then(|| uniform_disk(draw.stream.pair(LENS))))
     }
 
-    /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, by one of them; all of a primal image, and of a derivative that moves nothing on the film.
+    /// The interior term with film points that stay: `∫ d/dε (W L / J) dω`, by one of them; all of a primal image, and
+    /// of a derivative that moves nothing on the film.
     fn interior_of_fixed_point<R: Real, W: SceneEval<R>>(
         &self,
         eval: &W,

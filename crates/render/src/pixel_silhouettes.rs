@@ -241,13 +241,8 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
                 });
             }
             let moves = weighed.len() > known;
-            if moves && image.is_direct() && boundaries.edge(edge).is_silhouette(mesh, image.apex) {
-                beside.push(
-                    (accel, support),
-                    view,
-                    [first, last],
-                    boundaries.edge(edge).sides,
-                );
+            if moves && image.is_direct() {
+                beside.push(mesh, view, support, boundaries.edge(edge), [first, last]);
             }
             if weighed.len() > most {
                 return None;

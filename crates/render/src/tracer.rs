@@ -171,10 +171,7 @@ impl<'a> Tracer<'a> {
             emitters: self.plan.lights_surfaces() && self.has_area_emitters(),
             environment: self.plan.lights_surfaces() && self.has_environment(),
             indirect: self.plan.reaches(3) && (self.events_behind(1) == 0 || has_few_mirrors()),
-            points: Gathers::POINTS,
-            camera_points: Gathers::CAMERA_POINTS,
-            half_vector: true,
-            beside_silhouettes: true,
+            ..Gathers::ALL
         }
     }
 
