@@ -45,7 +45,7 @@ def test_same_bits_for_any_number_of_threads(scene: cw.Scene) -> None:
 
 
 def test_gradient_agrees_with_differences(scene: cw.Scene) -> None:
-    verdict = cw.check(scene, "box.translate.x", spp=128, reference_spp=16384)
+    verdict = cw.check(scene, "box.translate.x", spp=128, reference_spp=4096)
     assert verdict.right, str(verdict)
     assert abs(verdict.scale_factor - 1) < 0.1
     assert verdict.gradient.shape == verdict.reference.shape == (18, 24, 3)

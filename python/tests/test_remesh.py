@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from typing import Any
 
@@ -214,8 +215,8 @@ def seen(positions: Array, faces: NDArray[Any]) -> cw.Scene:
 
 def test_a_blob_is_found_with_a_smaller_loss_if_the_state_is_transferred() -> None:
     """From three images, a sphere becomes a body with three lobes. Paired over seeds, the loss is smaller
-    with the transfer than with a new Adam after each remeshing, than with means at the wrong vertices,
-    and than without remeshing, where triangles degenerate. The edges have the length of those at the
+    with the transfer than with a new Adam after each remeshing, than with means at the wrong vertices
+    (where CAPWALK_THOROUGH is set), and than without remeshing, where triangles degenerate. The edges have the length of those at the
     start, so that no way has more unknowns."""
     x, faces = sphere(4)
     lobes = 1 + 0.35 * np.cos(3 * np.arctan2(x[:, 1], x[:, 0])) * (1 - x[:, 2] ** 2)
@@ -250,10 +251,12 @@ def test_a_blob_is_found_with_a_smaller_loss_if_the_state_is_transferred() -> No
         loss = np.square(np.stack(images) - targets).mean()
         return float(loss), float(np.percentile(shapes_of(values[name], faces), 5))
 
-    # Seeds; the state of wrong vertices is not much worse.
-    ways = {"none": 4, "new Adam": 4, "wrong vertices": 14, "transfer": 14}
+    # Seeds; the state of wrong vertices is not much worse, which takes a minute to see.
+    ways = {"none": 4, "new Adam": 4, "transfer": 4}
+    if "CAPWALK_THOROUGH" in os.environ:
+        ways.update({"wrong vertices": 14, "transfer": 14})
     results = {way: np.array([found(seed, way) for seed in range(seeds)]) for way, seeds in ways.items()}
-    for way in ("none", "new Adam", "wrong vertices"):
+    for way in ways.keys() - {"transfer"}:
         gains = results[way][:, 0] - results["transfer"][: ways[way], 0]
         assert gains.mean() > 3 * gains.std(ddof=1) / np.sqrt(len(gains)), results
     assert (results["none"][:, 1] < 0.5).all() and (results["transfer"][:, 1] > 0.7).all(), results
