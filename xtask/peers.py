@@ -42,7 +42,8 @@ class Budget:
 
     def __init__(self, quick):
         self.rounds = 1 if quick else 3
-        # Runs per round of an image, of a vector of few numbers.
+        # Runs per round of an image, of a derivative image, of a vector of few numbers.
+        self.render_runs = 2 if quick else 4
         self.image_runs = 2
         self.vector_runs = 2 if quick else 15
         # Seconds that a run of capwalk takes at least.
@@ -390,6 +391,13 @@ def without_seam(gradient, columns):
     return inner
 
 
+def squares_of_samples(contestant):
+    """For each run an estimate of the variance of one sample, as a mean over pixels."""
+    results = np.stack(contestant.results)
+    squares = ((results - results.mean(axis=0)) ** 2).reshape(len(results), -1).mean(axis=1)
+    return squares * contestant.about["spp"] * len(results) / (len(results) - 1)
+
+
 def image(plan, budget):
     """The image itself."""
     read = lambda file: file["value"].astype(np.float64)
@@ -408,13 +416,25 @@ def image(plan, budget):
             Mitsuba(call, samples, plan["pixels"], variant=variant, loading=loading)
             for samples in budget.image
         ]
-    in_turn(contestants, budget, budget.image_runs)
+    in_turn(contestants, budget, budget.render_runs)
+    # How much one sample varies does not depend on how many there are, nor on the variant.
+    samples = {}
+    for program in ("capwalk", "mitsuba"):
+        of_program = [c for c in contestants if c.about["program"] == program]
+        runs = np.concatenate([squares_of_samples(c) for c in of_program])
+        samples[program] = runs.mean(), runs.std(ddof=1) / math.sqrt(len(runs)) / runs.mean()
     rows = []
     for contestant in contestants:
-        variance = float(variances(contestant.results).mean())
-        mean = float(np.mean(contestant.results))
-        cost = variance * contestant.seconds()
-        rows.append(contestant.row(mean=mean, variance=variance, cost=cost))
+        of_one_sample, relative_error = samples[contestant.about["program"]]
+        variance = float(of_one_sample / contestant.about["spp"])
+        rows.append(
+            contestant.row(
+                mean=float(np.mean(contestant.results)),
+                variance=variance,
+                cost=variance * contestant.seconds(),
+                relative_error=float(relative_error),
+            )
+        )
     return {"rows": rows}
 
 
