@@ -140,6 +140,10 @@ impl Subject {
 
     /// Puts the scene file into a folder, with what it refers to, if that is not made or public.
     pub fn copy_to(&self, folder: &Path, capwalk: &Path, public: Option<&Path>) -> Result<PathBuf> {
+        // `capwalk` replaces no files of a run that was ended.
+        if folder.exists() {
+            fs::remove_dir_all(folder)?;
+        }
         fs::create_dir_all(folder)?;
         let file = folder.join(format!("{}.xml", self.name));
         match self.from {
