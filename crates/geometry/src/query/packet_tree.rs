@@ -56,10 +56,11 @@ pub struct PacketTree {
 impl PacketTree {
     /// The tree of a mesh, from that for its rays.
     pub fn new(rays: &RayTree, mesh: &Mesh) -> Self {
-        let (faces, numbers) = PacketFace::all(mesh, &rays.flat.frame);
+        let frame = tight(&rays.flat.frame, mesh);
+        let (faces, numbers) = PacketFace::all(mesh, &frame);
         let is_small = faces.len() <= FEW_FACES;
         let tree = Self {
-            frame: rays.flat.frame,
+            frame,
             nodes: Vec::new(),
             leaf_starts: vec![0],
             faces,
@@ -84,7 +85,15 @@ impl PacketTree {
                 .extend(own.iter().map(|&number| all[number as usize]));
             self.leaf_starts.push(self.faces.len() as u32);
         }
+        let larger = (rays.flat.frame.scale / self.frame.scale) as f32;
         self.nodes = rays.flat.nodes.clone();
+        for planes in self.nodes.iter_mut().flat_map(|node| &mut node.planes) {
+            // Boxes are larger by much more than is rounded here.
+            planes
+                .as_flattened_mut()
+                .iter_mut()
+                .for_each(|plane| *plane *= larger);
+        }
         self
     }
 
@@ -168,7 +177,7 @@ impl PacketTree {
     /// The tree with boxes however few the faces are, and without however many they are.
     #[cfg(test)]
     pub fn deep_and_flat(&self, rays: &RayTree, mesh: &Mesh) -> [Self; 2] {
-        let (faces, numbers) = PacketFace::all(mesh, &rays.flat.frame);
+        let (faces, numbers) = PacketFace::all(mesh, &self.frame);
         let flat = Self {
             nodes: Vec::new(),
             leaf_starts: vec![0],
@@ -181,6 +190,20 @@ impl PacketTree {
     #[inline(always)]
     fn leaf(&self, leaf: usize) -> &[PacketFace] {
         &self.faces[self.leaf_starts[leaf] as usize..self.leaf_starts[leaf + 1] as usize]
+    }
+}
+
+/// The coordinates of a tree for rays, scaled until the mesh reaches -1 or 1: what single precision does
+/// not resolve is up to half as large in them.
+fn tight(frame: &LocalFrame, mesh: &Mesh) -> LocalFrame {
+    let corners = (0..mesh.faces.len()).flat_map(|face| mesh.corners(face));
+    let reach = |p| frame.local_from_world(p).map(f64::abs).max_component();
+    // No smaller where the mesh has no extent.
+    let scale = frame.scale * corners.map(reach).fold(0.5, f64::max);
+    LocalFrame {
+        scale,
+        inverse_scale: 1.0 / scale,
+        ..*frame
     }
 }
 

@@ -96,6 +96,9 @@ fn packets(mesh: &Mesh, seed: u64) -> Vec<Rays> {
     (0..24).map(of_packet).collect()
 }
 
+/// Half of the largest extent of [`balls`], no power of two.
+const HALF: f64 = 1.2;
+
 /// Two balls above a floor.
 fn balls() -> Mesh {
     let mut mesh = meshes::sheet(2, |_, _| 0.0);
@@ -105,6 +108,7 @@ fn balls() -> Mesh {
         ball.positions.iter_mut().for_each(place);
         mesh.append(&ball);
     }
+    mesh.positions.iter_mut().for_each(|p| *p = *p * HALF);
     mesh
 }
 
@@ -142,11 +146,13 @@ proptest! {
 }
 
 /// In a scene of shapes that are not small, packets find what single rays do, but for rays that pass
-/// an edge, start or end so near that single precision does not resolve it.
+/// an edge, start or end so near that single precision does not resolve it, which is in proportion to
+/// the scene.
 #[test]
 fn packets_find_what_rays_do() {
     let mesh = balls();
     let tree = PacketTree::new(&RayTree::build(&mesh), &mesh);
+    assert!((tree.in_plane() * (1 << 20) as f64 / HALF - 1.0).abs() < 1e-12);
     let (mut asked, mut differ) = (0, 0);
     for seed in 0..400 {
         for rays in packets(&mesh, seed) {
