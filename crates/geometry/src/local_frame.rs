@@ -4,12 +4,13 @@
 use capwalk_math::Vec3;
 
 /// A tree's own coordinates: measured from its centre, and scaled by a power
-/// of two such that the tree fits between -1 and 1. The scaling is exact.
+/// of two such that the tree fits between -1 and 1. The scaling is exact. (Packets
+/// of rays have coordinates in which it just fits, and round.)
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LocalFrame {
     /// The centre, in world units.
     pub centre: Vec3,
-    /// World units per local unit, a power of two.
+    /// World units per local unit.
     pub scale: f64,
     /// Local units per world unit.
     pub inverse_scale: f64,

@@ -194,11 +194,11 @@ impl PacketTree {
 }
 
 /// The coordinates of a tree for rays, scaled until the mesh reaches -1 or 1: what single precision does
-/// not resolve is up to half as large in them.
+/// not resolve of the world is up to half as large.
 fn tight(frame: &LocalFrame, mesh: &Mesh) -> LocalFrame {
     let corners = (0..mesh.faces.len()).flat_map(|face| mesh.corners(face));
     let reach = |p| frame.local_from_world(p).map(f64::abs).max_component();
-    // No smaller where the mesh has no extent.
+    // The other's power of two is at most twice too large, but where the mesh has no extent.
     let scale = frame.scale * corners.map(reach).fold(0.5, f64::max);
     LocalFrame {
         scale,
