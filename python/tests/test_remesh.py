@@ -189,7 +189,7 @@ def test_without_the_library_it_says_what_to_install(monkeypatch: pytest.MonkeyP
 VIEWS: dict[str, list[float]] = {"front": [0, 0, 6], "side": [6, 0, 0.1], "back": [0, 1, -6]}
 
 SIZE, STEPS, REMESHED = 16, 30, range(5, 30, 5)
-"""Of the images, of each optimisation, of these those that begin with remeshing, and of optimisations."""
+"""Of the images, of each optimisation, and of these those that begin with remeshing."""
 
 
 def seen(positions: Array, faces: NDArray[Any]) -> cw.Scene:
@@ -216,8 +216,8 @@ def seen(positions: Array, faces: NDArray[Any]) -> cw.Scene:
 def test_a_blob_is_found_with_a_smaller_loss_if_the_state_is_transferred() -> None:
     """From three images, a sphere becomes a body with three lobes. Paired over seeds, the loss is smaller
     with the transfer than with a new Adam after each remeshing, than with means at the wrong vertices
-    (where CAPWALK_THOROUGH is set), and than without remeshing, where triangles degenerate. The edges have the length of those at the
-    start, so that no way has more unknowns."""
+    (where CAPWALK_THOROUGH is set), and than without remeshing, where triangles degenerate. The edges have
+    the length of those at the start, so that no way has more unknowns."""
     x, faces = sphere(4)
     lobes = 1 + 0.35 * np.cos(3 * np.arctan2(x[:, 1], x[:, 0])) * (1 - x[:, 2] ** 2)
     truth, name = seen(x * lobes[:, None], faces), "blob.positions"

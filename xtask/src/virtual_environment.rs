@@ -32,7 +32,8 @@ pub fn environment(folder: &Path, modules: &str, packages: &[&str]) -> Result<Pa
         let mut create = Command::new(SYSTEM);
         create.args(["-m", "venv"]).arg(folder);
         start("virtual environment", create).context("needs python3 with its module venv")?;
-        if by_uv(&python, packages).is_err() {
+        if let Err(reason) = by_uv(&python, packages) {
+            println!("    not by uv: {reason:#}");
             by_pip(&python, packages).context("needs PyPI")?;
         }
     }
