@@ -18,7 +18,7 @@ pub mod validate;
 mod widen;
 
 pub use buckets::Buckets;
-pub use build::{Splits, build};
+pub use build::{Leaves, Splits, build};
 pub use cost::SurfaceCost;
 pub use hierarchy::{Child, ChildKind, Hierarchy, MAX_DEPTH, WIDTH};
 pub use refit::{any_below, child_bounds, child_leaves};

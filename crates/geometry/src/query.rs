@@ -23,12 +23,16 @@ mod oriented_box;
 mod packet_face;
 mod packet_precision;
 pub mod packet_tree;
+mod pieces;
 mod pseudo_angle;
 mod ray_kernel;
 mod ray_search;
 mod ray_tree;
 mod silhouette_tree;
+mod sphere;
+mod sphere_grid;
 mod tree_edge;
+mod triangle_tree;
 #[cfg(test)]
 mod validate;
 

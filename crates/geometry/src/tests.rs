@@ -6,4 +6,5 @@ mod meshes;
 mod packets;
 mod rays;
 mod silhouettes;
+mod spheres;
 mod wedges;

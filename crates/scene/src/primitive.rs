@@ -5,13 +5,12 @@
 //! set of silhouette queries serves all. Curved silhouettes are tessellated until
 //! they deviate by less than [`SILHOUETTE_ERROR`].
 
-mod icosphere;
 mod rings;
 mod tessellated;
 mod tube;
 mod uv;
 
-pub use icosphere::icosphere;
+pub use capwalk_geometry::icosphere;
 pub use rings::{ControlPoint, CurveKind};
 pub use tessellated::{
     CYLINDER_TRIANGLES, DISK_TRIANGLES, SILHOUETTE_ERROR, SPHERE_DIVISION, cube, cylinder, disk,

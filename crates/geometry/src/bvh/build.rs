@@ -24,6 +24,31 @@ pub enum Splits {
     Fine,
 }
 
+/// Which primitives leaves may have.
+#[derive(Clone, Copy, Debug)]
+pub struct Leaves {
+    /// No more than so many.
+    pub size: usize,
+    /// Those from this number on have leaves of their own.
+    pub alone_from: u32,
+}
+
+impl Leaves {
+    /// Any, but no more than so many.
+    pub fn of(size: usize) -> Self {
+        Self {
+            size,
+            alone_from: u32::MAX,
+        }
+    }
+
+    fn may_hold(self, primitives: &[Primitive]) -> bool {
+        let is_alone = |primitive: &Primitive| primitive.id >= self.alone_from;
+        let count = primitives.len();
+        count == 1 || count <= self.size && !primitives.iter().any(is_alone)
+    }
+}
+
 /// Ranges with fewer primitives than this are not worth a task.
 const PARALLEL_MINIMUM: usize = 4096;
 
@@ -34,9 +59,8 @@ struct Primitive {
     id: u32,
 }
 
-/// A tree over primitives with the given boxes, at most `leaf_size` to a leaf; without any if the
-/// work is given up.
-pub fn build(bounds: &[Aabb], leaf_size: usize, splits: Splits, halt: &Halt) -> Hierarchy {
+/// A tree over primitives with the given boxes; without any if the work is given up.
+pub fn build(bounds: &[Aabb], leaves: Leaves, splits: Splits, halt: &Halt) -> Hierarchy {
     if bounds.is_empty() {
         return Hierarchy::default();
     }
@@ -52,7 +76,7 @@ pub fn build(bounds: &[Aabb], leaf_size: usize, splits: Splits, halt: &Halt) -> 
         start: 0,
         depth: 0,
     };
-    split_recursively(whole, leaf_size, splits, halt);
+    split_recursively(whole, leaves, splits, halt);
     if halt.now() {
         return Hierarchy::default();
     }
@@ -75,7 +99,7 @@ struct Range<'a> {
     depth: usize,
 }
 
-fn split_recursively(range: Range, leaf_size: usize, splits: Splits, halt: &Halt) {
+fn split_recursively(range: Range, leaves: Leaves, splits: Splits, halt: &Halt) {
     let Range {
         primitives,
         nodes,
@@ -104,7 +128,7 @@ fn split_recursively(range: Range, leaf_size: usize, splits: Splits, halt: &Halt
         start,
         left: 0,
     };
-    if count <= leaf_size {
+    if leaves.may_hold(primitives) {
         return;
     }
     // Halving the rest all the way down must not exceed the depth limit.
@@ -112,9 +136,9 @@ fn split_recursively(range: Range, leaf_size: usize, splits: Splits, halt: &Halt
     // The primitives on the left of the split come first in the range.
     let left = match depth_if_halved < MAX_DEPTH {
         true if splits == Splits::Fine && count >= FINE_MINIMUM => {
-            split_best::<FINE_BINS>(primitives, &centres, leaf_size)
+            split_best::<FINE_BINS>(primitives, &centres, leaves.size)
         }
-        true => split_best::<BINS>(primitives, &centres, leaf_size),
+        true => split_best::<BINS>(primitives, &centres, leaves.size),
         false => None,
     };
     let left = left.unwrap_or(count / 2); // all centres equal, or too deep
@@ -135,12 +159,12 @@ fn split_recursively(range: Range, leaf_size: usize, splits: Splits, halt: &Halt
     };
     if count >= PARALLEL_MINIMUM {
         rayon::join(
-            || split_recursively(left_range, leaf_size, splits, halt),
-            || split_recursively(right_range, leaf_size, splits, halt),
+            || split_recursively(left_range, leaves, splits, halt),
+            || split_recursively(right_range, leaves, splits, halt),
         );
     } else {
-        split_recursively(left_range, leaf_size, splits, halt);
-        split_recursively(right_range, leaf_size, splits, halt);
+        split_recursively(left_range, leaves, splits, halt);
+        split_recursively(right_range, leaves, splits, halt);
     }
 }
 

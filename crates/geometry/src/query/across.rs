@@ -1,7 +1,7 @@
 //! The triangles that cross a wedge.
 
-use super::ray_search::TriangleTree;
 use super::ray_tree::RayTree;
+use super::triangle_tree::{Part, TriangleTree};
 use crate::bvh::{Child, ChildKind};
 use crate::mesh::Mesh;
 use crate::wedge::{Wedge, WedgePoint};
@@ -54,7 +54,13 @@ fn add_across(
                     let section = wedge.section(mesh.corners(face as usize))?;
                     Some((face, section))
                 })),
-                None => add_across(tree.part(leaf), mesh, wedge, found),
+                None => {
+                    let tree = match tree.part(leaf) {
+                        Part::Tree(tree) => tree,
+                        Part::Sphere(sphere) => sphere.tree(),
+                    };
+                    add_across(tree, mesh, wedge, found);
+                }
             },
             None => {}
         }

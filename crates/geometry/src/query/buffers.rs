@@ -91,22 +91,25 @@ impl RayBuffers {
 impl RayTree {
     /// The tree as flat arrays.
     pub fn buffers(&self) -> RayBuffers {
-        let nodes = self.flat.nodes.iter().flat_map(|node| {
+        let Self {
+            flat, hierarchy, ..
+        } = &*self.without_spheres();
+        let nodes = flat.nodes.iter().flat_map(|node| {
             let planes = node.planes.iter().flatten().flatten();
             let planes = planes.map(|plane| plane.to_bits());
             planes.chain(children(&node.children))
         });
-        let leaves = self.flat.leaves.iter().enumerate();
+        let leaves = flat.leaves.iter().enumerate();
         let triangles = leaves.flat_map(|(leaf, block)| {
-            let lanes = 0..self.hierarchy.leaf(leaf).len();
+            let lanes = 0..hierarchy.leaf(leaf).len();
             lanes.flat_map(|lane| block.corners_of(lane))
         });
         RayBuffers {
-            frame: self.flat.frame,
+            frame: flat.frame,
             nodes: nodes.collect(),
-            leaf_starts: self.hierarchy.leaf_starts.clone(),
-            below: below(&self.hierarchy),
-            faces: self.hierarchy.order.clone(),
+            leaf_starts: hierarchy.leaf_starts.clone(),
+            below: below(hierarchy),
+            faces: hierarchy.order.clone(),
             triangles: triangles.flat_map(Vec3::to_array).collect(),
         }
     }

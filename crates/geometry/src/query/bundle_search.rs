@@ -7,7 +7,8 @@ use super::beam::Beam;
 use super::bundle::{BUNDLE, Bundle, NO_FACE};
 use super::local_bundle::LocalBundle;
 use super::ray_kernel::TriangleBlock;
-use super::ray_search::{FirstHit, Occluded, TriangleTree};
+use super::ray_search::{FirstHit, Occluded};
+use super::triangle_tree::TriangleTree;
 use crate::bvh::{Child, ChildKind, Stack, VisitOfRays};
 use crate::ray::Hit;
 use crate::simd::{Computation, F32x16, Instructions, Simd};
@@ -59,7 +60,7 @@ impl TriangleTree {
     /// The rays that go through it together.
     #[inline(always)]
     fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle) -> Option<Beam<'a, S>> {
-        match self.parts.is_empty() {
+        match self.is_whole {
             true => Beam::new(simd, local, FEW),
             false => None,
         }
@@ -78,7 +79,8 @@ impl FirstHits<'_> {
             rays: beam.mask,
         });
         while let Some(VisitOfRays { child, mut rays }) = stack.pop(farthest) {
-            if rays.count_ones() <= FEW {
+            let is_sphere = tree.is_sphere(child);
+            if rays.count_ones() <= FEW || is_sphere {
                 while rays != 0 {
                     let ray = rays.trailing_zeros() as usize % BUNDLE;
                     rays &= rays - 1;
@@ -202,7 +204,8 @@ impl OccludedRays<'_> {
             && let Some(VisitOfRays { child, rays }) = stack.pop(farthest)
         {
             let mut rays = rays & free;
-            if rays.count_ones() <= FEW {
+            let is_sphere = tree.is_sphere(child);
+            if rays.count_ones() <= FEW || is_sphere {
                 while rays != 0 {
                     let ray = rays.trailing_zeros() as usize % BUNDLE;
                     rays &= rays - 1;

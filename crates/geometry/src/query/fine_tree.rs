@@ -4,15 +4,18 @@
 //! apart that is millions of times smaller: each query near it would test them all. Here such a
 //! part is a tree of its own, in its own coordinates, and so are its parts.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
-use super::ray_kernel::{LANES, RayNode, TriangleBlock};
-use super::ray_search::TriangleTree;
+use super::pieces::Pieces;
+use super::ray_kernel::{RayNode, TriangleBlock};
+use super::sphere::Sphere;
+use super::triangle_tree::{Part, SpherePart, TriangleTree};
 use crate::aabb::Aabb;
-use crate::bvh::{Child, ChildKind, Hierarchy, Splits, WIDTH, build, child_bounds, child_leaves};
+use crate::bvh::{Child, ChildKind, Hierarchy, WIDTH, child_bounds, child_leaves};
 use crate::halt::Halt;
 use crate::local_frame::LocalFrame;
-use crate::mesh::Mesh;
 
 /// Leaves that are smaller than this, in local units, are not told apart: sixteen times what
 /// single precision adds up to where a ray meets a box (2⁻²⁰).
@@ -38,26 +41,21 @@ pub fn has_unresolved(hierarchy: &Hierarchy, bounds: &[[Aabb; WIDTH]]) -> bool {
     })
 }
 
-/// The tree over these faces of a mesh, cut where small parts begin; an empty one if the work is
+/// The tree over some pieces of a mesh, cut where small parts begin; an empty one if the work is
 /// given up.
-pub fn fine_tree(mesh: &Mesh, faces: &[u32], halt: &Halt) -> TriangleTree {
-    let frame = frame_of(mesh, faces.iter().map(|&face| face as usize));
-    let own = faces.par_iter().with_min_len(1024);
-    let bounds: Vec<Aabb> = own
-        .map(|&face| face_bounds(mesh, &frame, face as usize))
-        .collect();
-    let mut hierarchy = build(&bounds, LANES, Splits::Fine, halt);
+pub fn fine_tree(all: Pieces<'_>, pieces: Vec<u32>, halt: &Halt) -> TriangleTree {
+    let frame = all.frame(&pieces);
+    let hierarchy = all.hierarchy(pieces, &frame, halt);
     let leaf_bounds: Vec<Aabb> = (0..hierarchy.leaf_count())
         .map(|leaf| {
             let own = hierarchy.leaf(leaf).iter();
-            own.fold(Aabb::EMPTY, |all, &i| all.union(&bounds[i as usize]))
+            own.fold(Aabb::EMPTY, |bounds, &piece| {
+                bounds.union(&all.bounds(&frame, piece))
+            })
         })
         .collect();
-    for place in &mut hierarchy.order {
-        *place = faces[*place as usize];
-    }
     let mut cut = Cut {
-        mesh,
+        all,
         frame: &frame,
         bounds: child_bounds(&hierarchy, &leaf_bounds),
         below: child_leaves(&hierarchy),
@@ -78,9 +76,15 @@ pub fn fine_tree(mesh: &Mesh, faces: &[u32], halt: &Halt) -> TriangleTree {
             *child = Child::leaf(leaves.len() + number - FIRST_PART);
         }
     }
-    let parts = parts.into_par_iter();
     TriangleTree {
-        parts: parts.map(|faces| fine_tree(mesh, &faces, halt)).collect(),
+        is_whole: !parts.iter().any(|part| matches!(part, CutPart::Tree(_))),
+        parts: parts
+            .into_par_iter()
+            .map(|part| match part {
+                CutPart::Tree(pieces) => Part::Tree(fine_tree(all, pieces, halt)),
+                CutPart::Sphere(sphere) => Part::Sphere(SpherePart::new(sphere)),
+            })
+            .collect(),
         frame,
         nodes,
         leaves,
@@ -88,21 +92,26 @@ pub fn fine_tree(mesh: &Mesh, faces: &[u32], halt: &Halt) -> TriangleTree {
 }
 
 /// Numbers of parts while leaves are still counted: more than there are leaves, of which a
-/// hierarchy numbers fewer than 2³¹, and a part has several.
+/// hierarchy numbers fewer than 2³¹, and a part has several, or hundreds of triangles.
 const FIRST_PART: usize = 1 << 30;
 
 /// A tree that is cut where parts begin.
 struct Cut<'a> {
-    mesh: &'a Mesh,
+    all: Pieces<'a>,
     frame: &'a LocalFrame,
-    /// With the faces by their numbers in the mesh.
     hierarchy: &'a Hierarchy,
     bounds: Vec<[Aabb; WIDTH]>,
     below: Vec<[std::ops::Range<u32>; WIDTH]>,
     nodes: Vec<RayNode>,
     leaves: Vec<TriangleBlock>,
-    /// The faces of each part.
-    parts: Vec<Vec<u32>>,
+    parts: Vec<CutPart>,
+}
+
+/// What becomes a part.
+enum CutPart {
+    /// A tree over these pieces.
+    Tree(Vec<u32>),
+    Sphere(Arc<Sphere>),
 }
 
 impl Cut<'_> {
@@ -115,15 +124,17 @@ impl Cut<'_> {
             let child = match self.hierarchy.nodes[node][slot].kind() {
                 None => continue,
                 Some(ChildKind::Leaf(leaf)) => {
-                    let faces = self.hierarchy.leaf(leaf);
-                    self.leaves.push(TriangleBlock::new(self.mesh, faces));
-                    Child::leaf(self.leaves.len() - 1)
-                }
-                Some(ChildKind::Node(inner)) => match self.part(node, slot) {
-                    Some(faces) => {
-                        self.parts.push(faces);
-                        Child::leaf(FIRST_PART + self.parts.len() - 1)
+                    let own = self.hierarchy.leaf(leaf);
+                    match self.all.sphere_in(own) {
+                        Some(sphere) => self.add_part(CutPart::Sphere(sphere.clone())),
+                        None => {
+                            self.leaves.push(TriangleBlock::new(self.all.mesh, own));
+                            Child::leaf(self.leaves.len() - 1)
+                        }
                     }
+                }
+                Some(ChildKind::Node(inner)) => match self.small(node, slot) {
+                    Some(pieces) => self.add_part(CutPart::Tree(pieces)),
                     None => Child::node(self.add_node(inner)),
                 },
             };
@@ -132,19 +143,23 @@ impl Cut<'_> {
         number
     }
 
-    /// The faces below a child, if they should be a part.
-    fn part(&self, node: usize, slot: usize) -> Option<Vec<u32>> {
+    fn add_part(&mut self, part: CutPart) -> Child {
+        self.parts.push(part);
+        Child::leaf(FIRST_PART + self.parts.len() - 1)
+    }
+
+    /// The pieces below a child, if they should be a part.
+    fn small(&self, node: usize, slot: usize) -> Option<Vec<u32>> {
         let below = self.below[node][slot].clone();
         if !is_unresolved(&self.bounds[node][slot], below.len()) {
             return None;
         }
-        let faces: Vec<u32> = below
+        let pieces: Vec<u32> = below
             .flat_map(|leaf| self.hierarchy.leaf(leaf as usize))
             .copied()
             .collect();
-        let frame = frame_of(self.mesh, faces.iter().map(|&face| face as usize));
         // Unless it has no extent at all, with which nothing is told apart.
-        (frame.scale < self.frame.scale).then_some(faces)
+        (self.all.frame(&pieces).scale < self.frame.scale).then_some(pieces)
     }
 }
 
@@ -162,14 +177,4 @@ fn size_of_unresolved(leaves: usize) -> f64 {
 
 fn is_unresolved(bounds: &Aabb, leaves: usize) -> bool {
     leaves >= FEW_LEAVES && size(bounds) < size_of_unresolved(leaves)
-}
-
-/// The coordinates of a tree over faces.
-pub fn frame_of(mesh: &Mesh, faces: impl Iterator<Item = usize>) -> LocalFrame {
-    LocalFrame::around(faces.flat_map(|face| mesh.corners(face)))
-}
-
-/// The box of a face in these coordinates.
-pub fn face_bounds(mesh: &Mesh, frame: &LocalFrame, face: usize) -> Aabb {
-    Aabb::around(mesh.corners(face).map(|p| frame.local_from_world(p)))
 }

@@ -75,6 +75,7 @@ impl PacketTree {
     /// This tree with the nodes of a tree for rays. A parallelogram is in the leaves of both its
     /// triangles, each of whose boxes has its own.
     fn with_nodes(mut self, rays: &RayTree, numbers: &[Option<u32>]) -> Self {
+        let rays = rays.without_spheres();
         let all = std::mem::take(&mut self.faces);
         for leaf in 0..rays.hierarchy.leaf_count() {
             let faces = rays.hierarchy.leaf(leaf).iter();

@@ -65,21 +65,30 @@ pub struct TriangleBlock {
 }
 
 impl TriangleBlock {
+    /// The block of none.
+    pub const EMPTY: Self = Self {
+        corners: [[[0.0; LANES]; 3]; 3],
+        faces: [NO_FACE; LANES],
+    };
+
     /// The block of these faces.
     pub fn new(mesh: &Mesh, faces: &[u32]) -> Self {
-        let mut block = Self {
-            corners: [[[0.0; LANES]; 3]; 3],
-            faces: [NO_FACE; LANES],
-        };
+        let mut block = Self::EMPTY;
         for (lane, &face) in faces.iter().enumerate() {
-            block.faces[lane] = face;
-            for (corner, p) in mesh.corners(face as usize).into_iter().enumerate() {
-                for axis in 0..3 {
-                    block.corners[corner][axis][lane] = p[axis];
-                }
-            }
+            block.set(lane, face, mesh.corners(face as usize));
         }
         block
+    }
+
+    /// Puts a triangle in a lane.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, face: u32, corners: [Vec3; 3]) {
+        self.faces[lane] = face;
+        for (own, p) in self.corners.iter_mut().zip(corners) {
+            for (axis, own) in own.iter_mut().enumerate() {
+                own[lane] = p[axis];
+            }
+        }
     }
 
     /// The numbers of the triangles.

@@ -1,28 +1,11 @@
-//! Trees of triangles, and the search for what a ray hits in one and in its parts.
+//! The search for what a ray hits in a tree of triangles and in its parts.
 
-use super::ray_kernel::{LocalRay, RayNode, TriangleBlock};
+use super::ray_kernel::LocalRay;
+use super::sphere::Meeting;
+use super::triangle_tree::{Part, SpherePart, TriangleTree};
 use crate::bvh::{Child, ChildKind, Stack};
-use crate::local_frame::LocalFrame;
 use crate::ray::{Hit, Ray};
 use crate::simd::{Computation, Instructions, Simd};
-
-/// A tree of triangles, of which parts are trees of their own.
-#[derive(Clone, Debug)]
-pub struct TriangleTree {
-    /// The coordinates of its nodes.
-    pub frame: LocalFrame,
-    pub nodes: Vec<RayNode>,
-    pub leaves: Vec<TriangleBlock>,
-    /// Behind the numbers of the leaves come those of the parts.
-    pub parts: Vec<Self>,
-}
-
-impl TriangleTree {
-    /// The part with the number of a leaf, behind those of the leaves.
-    pub fn part(&self, leaf: usize) -> &Self {
-        &self.parts[leaf - self.leaves.len()]
-    }
-}
 
 /// The nearest hit in a tree.
 #[derive(Clone, Copy)]
@@ -79,17 +62,10 @@ impl FirstHit<'_> {
                         }
                     }),
                     None => {
-                        let ray = Ray {
-                            t_max: bounds[1],
-                            ..*self.ray
+                        best = match tree.part(leaf) {
+                            Part::Tree(tree) => self.in_tree(tree, best),
+                            Part::Sphere(sphere) => self.in_sphere(simd, local, sphere, best),
                         };
-                        let part = FirstHit {
-                            tree: tree.part(leaf),
-                            instructions: self.instructions,
-                            ray: &ray,
-                            before: best,
-                        };
-                        best = part.run_apart();
                         bounds[1] = best.map_or(bounds[1], |hit| hit.t);
                         limit = local.limit(bounds[1]);
                     }
@@ -100,11 +76,54 @@ impl FirstHit<'_> {
         best
     }
 
-    /// Runs it. Not inlined: a search would contain itself.
+    /// The nearest hit in a tree of its own, or that before it. Not inlined: a search would
+    /// contain itself.
     #[cold]
     #[inline(never)]
-    fn run_apart(self) -> Option<Hit> {
-        self.instructions.run(self)
+    fn in_tree(&self, tree: &TriangleTree, before: Option<Hit>) -> Option<Hit> {
+        let ray = Ray {
+            t_max: before.map_or(self.ray.t_max, |hit| hit.t),
+            ..*self.ray
+        };
+        let search = FirstHit {
+            tree,
+            instructions: self.instructions,
+            ray: &ray,
+            before,
+        };
+        self.instructions.run(search)
+    }
+
+    /// The nearest hit of a sphere, or that before it.
+    #[inline(always)]
+    fn in_sphere<S: Simd>(
+        &self,
+        simd: S,
+        local: &LocalRay<S>,
+        part: &SpherePart,
+        before: Option<Hit>,
+    ) -> Option<Hit> {
+        let mut best = before;
+        let mut bounds = [self.ray.t_min, best.map_or(self.ray.t_max, |hit| hit.t)];
+        let passage = match part.sphere.meet(self.ray, bounds) {
+            Meeting::Misses => return before,
+            Meeting::Passes(passage) => passage,
+            Meeting::Unknown => return self.in_tree(part.tree(), before),
+        };
+        for way in passage.ways().into_iter().flatten() {
+            let (sphere, left) = (&part.sphere, bounds);
+            let found = |hit: Hit| {
+                let is_nearer = |best: Hit| (hit.t, hit.face) < (best.t, best.face);
+                if best.is_none_or(is_nearer) {
+                    best = Some(hit);
+                    bounds[1] = hit.t;
+                }
+            };
+            if !sphere.intersect(simd, local, &passage, way, left, found) {
+                return self.in_tree(part.tree(), best);
+            }
+        }
+        best
     }
 }
 
@@ -152,8 +171,10 @@ impl Occluded<'_> {
                     match tree.leaves.get(leaf) {
                         Some(leaf) => leaf.intersect(simd, local, bounds, |_| found = true),
                         None => {
-                            let tree = tree.part(leaf);
-                            found = Self { tree, ..*self }.run_apart();
+                            found = match tree.part(leaf) {
+                                Part::Tree(tree) => self.in_tree(tree),
+                                Part::Sphere(sphere) => self.in_sphere(simd, local, sphere),
+                            };
                         }
                     }
                     if found {
@@ -166,10 +187,40 @@ impl Occluded<'_> {
         false
     }
 
-    /// Runs it. Not inlined: a search would contain itself.
+    /// True if anything in a tree of its own is hit. Not inlined: a search would contain itself.
     #[cold]
     #[inline(never)]
-    fn run_apart(self) -> bool {
-        self.instructions.run(self)
+    fn in_tree(&self, tree: &TriangleTree) -> bool {
+        let search = Occluded {
+            tree,
+            instructions: self.instructions,
+            ray: self.ray,
+        };
+        self.instructions.run(search)
+    }
+
+    /// True if a sphere is hit.
+    #[inline(always)]
+    fn in_sphere<S: Simd>(&self, simd: S, local: &LocalRay<S>, part: &SpherePart) -> bool {
+        let bounds = [self.ray.t_min, self.ray.t_max];
+        let passage = match part.sphere.meet(self.ray, bounds) {
+            Meeting::Misses => return false,
+            Meeting::Passes(passage) => passage,
+            Meeting::Unknown => return self.in_tree(part.tree()),
+        };
+        if passage.surely_hits(bounds) {
+            return true;
+        }
+        let mut is_hit = false;
+        for way in passage.ways().into_iter().flatten() {
+            let (sphere, found) = (&part.sphere, |_| is_hit = true);
+            if !sphere.intersect(simd, local, &passage, way, bounds, found) {
+                return self.in_tree(part.tree());
+            }
+            if is_hit {
+                break;
+            }
+        }
+        is_hit
     }
 }

@@ -4,23 +4,27 @@
 //! margins for all rounding; triangles in double precision and in the world's
 //! (Woop, Benthin and Wald 2013), exactly as brute force does it.
 
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use capwalk_math::Vec3;
 use rayon::prelude::*;
 
 use super::bundle::{BUNDLE, Bundle};
 use super::bundle_search::{FirstHits, OccludedRays};
-use super::fine_tree::{face_bounds, fine_tree, frame_of, has_unresolved};
-use super::ray_kernel::{self, RayNode, TriangleBlock};
-use super::ray_search::{FirstHit, Occluded, TriangleTree};
+use super::fine_tree::{fine_tree, has_unresolved};
+use super::pieces::Pieces;
+use super::ray_kernel::{RayNode, TriangleBlock};
+use super::ray_search::{FirstHit, Occluded};
+use super::sphere::Sphere;
+use super::triangle_tree::{Part, SpherePart, TriangleTree};
 use crate::aabb::Aabb;
-use crate::bvh::{Hierarchy, Splits, SurfaceCost, build, child_bounds};
+use crate::bvh::{Child, ChildKind, Hierarchy, SurfaceCost, child_bounds};
 use crate::effort::{RAY, add_effort_of};
 use crate::halt::{Halt, Halted};
 use crate::mesh::Mesh;
 use crate::ray::{Hit, Ray};
 use crate::simd::Instructions;
-
-/// Triangles per leaf: as many as are tested at a time.
-pub(super) const LEAF_SIZE: usize = ray_kernel::LANES;
 
 /// A tree over the triangles of a mesh. It keeps what it needs of the mesh.
 ///
@@ -28,8 +32,11 @@ pub(super) const LEAF_SIZE: usize = ray_kernel::LANES;
 /// on every CPU: bounds only decide what need not be tested.
 #[derive(Clone, Debug)]
 pub struct RayTree {
+    face_count: usize,
+    /// Over the pieces of the mesh.
     pub(super) hierarchy: Hierarchy,
-    /// All of it, without parts: what devices and packets of rays have.
+    pub(super) spheres: Vec<Arc<Sphere>>,
+    /// All of it, with no parts but the spheres.
     pub(super) flat: TriangleTree,
     /// The tree that is searched in its place, if single precision does not tell the triangles of
     /// some small part from each other.
@@ -46,20 +53,28 @@ impl RayTree {
 
     /// [`Self::build`], unless the work is given up.
     pub fn try_build(mesh: &Mesh, halt: &Halt) -> Result<Self, Halted> {
-        let frame = frame_of(mesh, 0..mesh.faces.len());
-        let bounds: Vec<Aabb> = (0..mesh.faces.len())
-            .into_par_iter()
-            .with_min_len(1024)
-            .map(|face| face_bounds(mesh, &frame, face))
-            .collect();
-        let hierarchy = halt.unless_halted(build(&bounds, LEAF_SIZE, Splits::Fine, halt))?;
+        Self::with_spheres(mesh, Sphere::all(mesh), halt)
+    }
+
+    /// The tree of a mesh in which these are spheres.
+    fn with_spheres(mesh: &Mesh, spheres: Vec<Arc<Sphere>>, halt: &Halt) -> Result<Self, Halted> {
+        let pieces = Pieces {
+            mesh,
+            spheres: &spheres,
+        };
+        let all = pieces.all();
+        let frame = pieces.frame(&all);
+        let hierarchy = halt.unless_halted(pieces.hierarchy(all, &frame, halt))?;
         let mut tree = Self {
+            face_count: mesh.faces.len(),
             hierarchy,
+            spheres,
             flat: TriangleTree {
                 frame,
                 nodes: Vec::new(),
                 leaves: Vec::new(),
                 parts: Vec::new(),
+                is_whole: true,
             },
             fine: None,
             cost: SurfaceCost::default(),
@@ -72,49 +87,104 @@ impl RayTree {
     }
 
     /// Follows moved vertices; the faces must be those it was built with. Takes
-    /// time in proportion to their number, and no memory but for the boxes.
+    /// time in proportion to their number, and no memory but for the boxes. If something is no
+    /// sphere any more, the tree is built anew.
     ///
     /// Answers stay exact however far vertices move, bit for bit those of a new
     /// tree; they only take longer, see [`degradation`](Self::degradation).
     pub fn refit(&mut self, mesh: &Mesh) {
-        self.follow(mesh, &Halt::never());
+        assert_eq!(
+            self.face_count,
+            mesh.faces.len(),
+            "a tree is refitted with the faces it was built with"
+        );
+        let moved = self.spheres.par_iter().map(|sphere| sphere.moved(mesh));
+        match moved.map(|sphere| sphere.map(Arc::new)).collect() {
+            Some(spheres) => {
+                self.spheres = spheres;
+                self.follow(mesh, &Halt::never());
+            }
+            None => {
+                let instructions = self.instructions;
+                *self = Self {
+                    instructions,
+                    ..Self::build(mesh)
+                };
+            }
+        }
     }
 
     fn follow(&mut self, mesh: &Mesh, halt: &Halt) {
         let hierarchy = &self.hierarchy;
-        assert_eq!(
-            hierarchy.order.len(),
-            mesh.faces.len(),
-            "a tree is refitted with the faces it was built with"
-        );
-        self.flat.frame = frame_of(mesh, 0..mesh.faces.len());
+        let pieces = Pieces {
+            mesh,
+            spheres: &self.spheres,
+        };
+        self.flat.frame = pieces.frame(&hierarchy.order);
         let frame = &self.flat.frame;
         let mut leaf_bounds = Vec::new();
         (0..hierarchy.leaf_count())
             .into_par_iter()
             .with_min_len(256)
             .map(|leaf| {
-                let faces = hierarchy.leaf(leaf);
-                let bounds = faces.iter().fold(Aabb::EMPTY, |bounds, &face| {
-                    bounds.union(&face_bounds(mesh, frame, face as usize))
+                let own = hierarchy.leaf(leaf);
+                let bounds = own.iter().fold(Aabb::EMPTY, |bounds, &piece| {
+                    bounds.union(&pieces.bounds(frame, piece))
                 });
-                (TriangleBlock::new(mesh, faces), bounds)
+                let block = match pieces.sphere_in(own) {
+                    None => TriangleBlock::new(mesh, own),
+                    Some(_) => TriangleBlock::EMPTY,
+                };
+                (block, bounds)
             })
             .unzip_into_vecs(&mut self.flat.leaves, &mut leaf_bounds);
         let bounds = child_bounds(hierarchy, &leaf_bounds);
-        let nodes = &mut self.flat.nodes;
+        let TriangleTree { nodes, parts, .. } = &mut self.flat;
         nodes.clear();
-        nodes.extend(
-            bounds
-                .iter()
-                .zip(&hierarchy.nodes)
-                .map(|(bounds, &children)| RayNode::new(bounds, children)),
-        );
+        parts.clear();
+        for (bounds, children) in bounds.iter().zip(&hierarchy.nodes) {
+            let children = children.map(|child| {
+                let leaf = match child.kind() {
+                    Some(ChildKind::Leaf(leaf)) => hierarchy.leaf(leaf),
+                    _ => &[],
+                };
+                pieces.sphere_in(leaf).map_or(child, |sphere| {
+                    parts.push(Part::Sphere(SpherePart::new(sphere.clone())));
+                    Child::leaf(hierarchy.leaf_count() + parts.len() - 1)
+                })
+            });
+            nodes.push(RayNode::new(bounds, children));
+        }
         self.cost.update(&bounds);
-        self.fine = has_unresolved(hierarchy, &bounds).then(|| {
-            let faces: Vec<u32> = (0..mesh.faces.len() as u32).collect();
-            Box::new(fine_tree(mesh, &faces, halt))
+        self.fine = has_unresolved(hierarchy, &bounds)
+            .then(|| Box::new(fine_tree(pieces, pieces.all(), halt)));
+    }
+
+    /// This tree, with the triangles of spheres as all others: for devices and packets.
+    pub(super) fn without_spheres(&self) -> Cow<'_, Self> {
+        if self.spheres.is_empty() {
+            return Cow::Borrowed(self);
+        }
+        let blocks = self.flat.leaves.iter();
+        let single = blocks.flat_map(|block| {
+            let lanes = block.faces().enumerate();
+            lanes.map(|(lane, face)| (face, block.corners_of(lane)))
         });
+        let of_spheres = self.spheres.iter().flat_map(|sphere| {
+            let faces = sphere.faces().enumerate();
+            faces.map(|(own, face)| (face, sphere.corners_of(own as u32)))
+        });
+        let mut corners = vec![[Vec3::zero(); 3]; self.face_count];
+        for (face, own) in single.chain(of_spheres) {
+            corners[face as usize] = own;
+        }
+        let vertices = (0..3 * self.face_count as u32).collect::<Vec<_>>();
+        let mesh = Mesh {
+            positions: corners.into_flattened(),
+            faces: vertices.as_chunks().0.to_vec(),
+        };
+        let tree = Self::with_spheres(&mesh, Vec::new(), &Halt::never());
+        Cow::Owned(tree.expect("nobody gives it up"))
     }
 
     /// What queries search.
@@ -127,6 +197,12 @@ impl RayTree {
     /// and larger the less the mesh resembles the one it was built for.
     pub fn degradation(&self) -> f64 {
         self.cost.degradation()
+    }
+
+    /// How many things of the mesh are searched as spheres.
+    #[cfg(test)]
+    pub fn sphere_count(&self) -> usize {
+        self.spheres.len()
     }
 
     /// Uses these instructions from now on. The answers stay the same.
@@ -142,7 +218,7 @@ impl RayTree {
     /// that of the lowest face.
     #[inline]
     pub fn first_hit(&self, ray: &Ray) -> Option<Hit> {
-        add_effort_of(RAY, self.hierarchy.order.len());
+        add_effort_of(RAY, self.face_count);
         self.instructions.run(FirstHit {
             tree: self.searched(),
             instructions: self.instructions,
@@ -154,7 +230,7 @@ impl RayTree {
     /// True if anything lies within the ray's bounds.
     #[inline]
     pub fn occluded(&self, ray: &Ray) -> bool {
-        add_effort_of(RAY, self.hierarchy.order.len());
+        add_effort_of(RAY, self.face_count);
         self.instructions.run(Occluded {
             tree: self.searched(),
             instructions: self.instructions,

@@ -8,7 +8,7 @@ use super::cone_node::ConeNode;
 use super::edge_block::{self, EdgeBlock, LocalEdge};
 use super::tree_edge::TreeEdge;
 use crate::aabb::Aabb;
-use crate::bvh::{Hierarchy, Splits, SurfaceCost, build, child_bounds, child_leaves};
+use crate::bvh::{Hierarchy, Leaves, Splits, SurfaceCost, build, child_bounds, child_leaves};
 use crate::edge::Edge;
 use crate::halt::{Halt, Halted};
 use crate::local_frame::LocalFrame;
@@ -55,7 +55,8 @@ impl SilhouetteTree {
                 Aabb::around(ends.map(|p| frame.local_from_world(p)))
             })
             .collect();
-        let hierarchy = halt.unless_halted(build(&bounds, LEAF_SIZE, Splits::Coarse, halt))?;
+        let hierarchy =
+            halt.unless_halted(build(&bounds, Leaves::of(LEAF_SIZE), Splits::Coarse, halt))?;
         let mut tree = Self {
             sources: hierarchy
                 .order

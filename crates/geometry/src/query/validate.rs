@@ -1,10 +1,12 @@
 //! Whether the trees are what they should be: checked in tests.
 
 use super::edge_block::EdgeBlock;
-use super::ray_kernel::TriangleBlock;
-use super::ray_tree::{self, RayTree};
+use super::pieces::Pieces;
+use super::ray_kernel::{LANES, TriangleBlock};
+use super::ray_tree::RayTree;
 use super::silhouette_tree::{self, SilhouetteTree};
 use super::tree_edge::TreeEdge;
+use crate::bvh::Hierarchy;
 use crate::bvh::validate::{self, TreeError};
 use crate::edge::Edge;
 use crate::mesh::Mesh;
@@ -12,23 +14,44 @@ use crate::mesh::Mesh;
 impl RayTree {
     /// Checks the tree against the mesh it should represent.
     pub fn validate(&self, mesh: &Mesh) -> Result<(), TreeError> {
-        let hierarchy = &self.hierarchy;
-        validate::check_hierarchy(hierarchy, mesh.faces.len(), ray_tree::LEAF_SIZE)?;
+        let pieces = Pieces {
+            mesh,
+            spheres: &self.spheres,
+        };
+        let all = pieces.all();
+        // By their places among all pieces.
+        let place = |piece: &u32| all.binary_search(piece).map_or(u32::MAX, |i| i as u32);
+        let hierarchy = &Hierarchy {
+            order: self.hierarchy.order.iter().map(place).collect(),
+            ..self.hierarchy.clone()
+        };
+        validate::check_hierarchy(hierarchy, all.len(), LANES)?;
         for leaf in 0..hierarchy.leaf_count() {
-            let faces = hierarchy.leaf(leaf);
-            if self.flat.leaves[leaf] != TriangleBlock::new(mesh, faces) {
-                let primitive = faces[0] as usize;
+            let own = self.hierarchy.leaf(leaf);
+            let is_followed = match pieces.sphere_in(own) {
+                None => self.flat.leaves[leaf] == TriangleBlock::new(mesh, own),
+                Some(sphere) => sphere
+                    .faces()
+                    .zip(0..)
+                    .all(|(face, own)| sphere.corners_of(own) == mesh.corners(face as usize)),
+            };
+            if !is_followed {
+                let primitive = own[0] as usize;
                 return Err(TreeError::LeafContent { leaf, primitive });
             }
         }
         validate::check_bounds(
             hierarchy,
             |node, slot| self.flat.nodes[node].child_bounds(slot),
-            |bounds, face| {
-                let corners = mesh
-                    .corners(face)
-                    .map(|p| self.flat.frame.local_from_world(p));
-                corners.iter().all(|&p| bounds.contains_point(p))
+            |bounds, place| {
+                let piece = all[place];
+                let faces = match pieces.sphere_in(&[piece]) {
+                    None => piece..piece + 1,
+                    Some(sphere) => sphere.faces(),
+                };
+                faces
+                    .flat_map(|face| mesh.corners(face as usize))
+                    .all(|p| bounds.contains_point(self.flat.frame.local_from_world(p)))
             },
         )
     }

@@ -38,13 +38,13 @@ impl Rays {
 }
 
 /// Numbers between -1 and 1 that are spread evenly, by a number of their own.
-fn spread(i: usize) -> Vec3 {
+pub fn spread(i: usize) -> Vec3 {
     Vec3::from([0.618_034, 0.754_878, 0.569_840].map(|k| 2.0 * (i as f64 * k).fract() - 1.0))
 }
 
 /// Rays around another one: how far their origins are from its own and their targets from a point
 /// on it, in parts of what lies between.
-fn beam(ray: &Ray, seed: usize, [origins, targets]: [f64; 2]) -> [Ray; BUNDLE] {
+pub fn beam(ray: &Ray, seed: usize, [origins, targets]: [f64; 2]) -> [Ray; BUNDLE] {
     let length = ray.direction.length();
     std::array::from_fn(|i| {
         let [from, to] = [0, BUNDLE].map(|k| spread(seed + k + i) * length);
@@ -63,7 +63,7 @@ fn beam(ray: &Ray, seed: usize, [origins, targets]: [f64; 2]) -> [Ray; BUNDLE] {
 }
 
 /// Compares all rays with brute force; how many hit something.
-fn check(tree: &RayTree, mesh: &Mesh, rays: &[Ray; BUNDLE], mask: u32) -> usize {
+pub fn check(tree: &RayTree, mesh: &Mesh, rays: &[Ray; BUNDLE], mask: u32) -> usize {
     let slower = Instructions::slower().into_iter();
     let slower = slower.map(|instructions| tree.clone().with(instructions));
     let own = Rays::new(rays);

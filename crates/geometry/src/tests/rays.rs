@@ -54,7 +54,7 @@ impl Aim {
     }
 }
 
-fn check(tree: &RayTree, mesh: &Mesh, rays: &[Ray]) -> Result<(), TestCaseError> {
+pub fn check(tree: &RayTree, mesh: &Mesh, rays: &[Ray]) -> Result<(), TestCaseError> {
     tree.validate(mesh)
         .map_err(|error| TestCaseError::fail(format!("{error:?}")))?;
     let slower = Instructions::slower()

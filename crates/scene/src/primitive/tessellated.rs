@@ -4,10 +4,9 @@ use std::borrow::Cow;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-use capwalk_geometry::Mesh;
+use capwalk_geometry::{Mesh, icosphere};
 use capwalk_math::{Affine, Vec3};
 
-use super::icosphere::icosphere;
 use crate::shape::ShadingNormals;
 
 /// The largest distance between the silhouette of a tessellated disk, cylinder or

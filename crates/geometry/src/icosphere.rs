@@ -1,9 +1,8 @@
 //! Spheres of near-uniform triangles: a subdivided icosahedron.
 
-use std::collections::HashMap;
-
-use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
+
+use crate::mesh::Mesh;
 
 /// The unit sphere with `20 frequency²` faces: each face of an icosahedron cut
 /// into `frequency²` triangles, pushed out to the sphere. Closed, vertices
@@ -16,8 +15,9 @@ pub fn icosphere(frequency: u32) -> Mesh {
     assert!((1..14_000).contains(&frequency), "frequency {frequency}");
     let (corners, faces) = icosahedron();
     let mut mesh = Mesh::default();
-    let mut known: HashMap<[(u32, u32); 3], u32> = HashMap::new();
+    let mut known = Known::new(frequency);
     for face in faces {
+        known.forget_inner();
         // The grid point with these weights of the face's corners, in
         // frequency-ths. Points on shared edges are named by their corners and
         // weights in one order, so both faces compute and find the same.
@@ -27,13 +27,15 @@ pub fn icosphere(frequency: u32) -> Mesh {
                 w => (w, face[i]),
             });
             name.sort_unstable_by_key(|&(weight, corner)| (corner, weight));
-            *known.entry(name).or_insert_with(|| {
+            let vertex = known.vertex(name, weights);
+            if *vertex == NONE {
                 let point = name.iter().fold(Vec3::zero(), |sum, &(weight, corner)| {
                     sum + corners[corner as usize] * f64::from(weight)
                 });
+                *vertex = mesh.positions.len() as u32;
                 mesh.positions.push(point.normalized());
-                mesh.positions.len() as u32 - 1
-            })
+            }
+            *vertex
         };
         for row in 0..frequency {
             // `row` counts from the edge between corners 0 and 1.
@@ -53,9 +55,56 @@ pub fn icosphere(frequency: u32) -> Mesh {
     mesh
 }
 
+/// No vertex yet.
+const NONE: u32 = u32::MAX;
+
+/// Corners of an icosahedron.
+const CORNERS: usize = 12;
+
+/// The vertices that have numbers.
+struct Known {
+    /// One more than there are parts of an edge.
+    places: usize,
+    corners: [u32; CORNERS],
+    /// By the two corners, then by the weight of the first.
+    edges: Vec<u32>,
+    /// In the face at hand, by the last two weights.
+    inner: Vec<u32>,
+}
+
+impl Known {
+    fn new(frequency: u32) -> Self {
+        let places = frequency as usize + 1;
+        Self {
+            places,
+            corners: [NONE; CORNERS],
+            edges: vec![NONE; CORNERS * CORNERS * places],
+            inner: vec![NONE; places * places],
+        }
+    }
+
+    fn forget_inner(&mut self) {
+        self.inner.fill(NONE);
+    }
+
+    /// The vertex with this name, weights with corners in ascending order, those that are zero
+    /// first, and these weights in the face at hand.
+    fn vertex(&mut self, name: [(u32, u32); 3], [_, i, row]: [u32; 3]) -> &mut u32 {
+        let [(w0, _), (w1, a), (_, b)] = name;
+        match (w0, w1) {
+            (0, 0) => &mut self.corners[b as usize],
+            (0, _) => {
+                let edge = CORNERS * a as usize + b as usize;
+                &mut self.edges[self.places * edge + w1 as usize]
+            }
+            _ => &mut self.inner[self.places * row as usize + i as usize],
+        }
+    }
+}
+
 /// Corners `(0, ±1, ±φ)` and their cyclic shifts (not normalised), and the 20
 /// triples of mutual neighbours, wound outward.
-fn icosahedron() -> (Vec<Vec3>, Vec<[u32; 3]>) {
+pub(crate) fn icosahedron() -> (Vec<Vec3>, Vec<[u32; 3]>) {
     let phi = 0.5 * (1.0 + 5.0_f64.sqrt());
     let signs = [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)];
     let corners: Vec<Vec3> = signs
