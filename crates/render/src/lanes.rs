@@ -17,6 +17,7 @@
 mod alike;
 mod frames;
 mod gradient;
+mod in_view;
 mod kept;
 mod lights;
 mod lit;

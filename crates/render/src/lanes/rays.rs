@@ -4,6 +4,7 @@
 use capwalk_boundary::Accel;
 use capwalk_geometry::{BUNDLE, Bundle, PacketTree, Ray};
 
+use crate::lanes::in_view::nearest_in_view;
 use crate::lanes::scene::NOTHING;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
 
@@ -108,19 +109,8 @@ fn packets(accel: &Accel) -> Option<PacketTree> {
     let may_be =
         mesh.faces.len() <= MOST_FACES && !accel.has_flush_emitters() && !accel.view.is_parallel();
     let tree = may_be.then(|| PacketTree::new(accel.rays(), mesh))?;
-    let pixel = NEAREST * accel.view.pixel_size() * nearest(accel);
+    let pixel = NEAREST * accel.view.pixel_size() * nearest_in_view(accel);
     (tree.in_plane() <= pixel && tree.resolves(mesh)).then_some(tree)
-}
-
-/// How far the box around the nearest face is from the camera, at least.
-fn nearest(accel: &Accel) -> f64 {
-    let point = accel.view.origin;
-    let distances = (0..accel.mesh.faces.len()).map(|face| {
-        let [a, b, c] = accel.mesh.corners(face);
-        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
-        (point - point.max(low).min(high)).length()
-    });
-    distances.fold(f64::INFINITY, f64::min)
 }
 
 impl LaneRays<'_> {

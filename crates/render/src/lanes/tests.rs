@@ -552,7 +552,7 @@ fn other_scenes_have_single_rays() {
         |scene| scene.sensor.model = SensorModel::Orthographic
     ));
     // A thin box, a board just before a wall, an emitter just
-    // before the ceiling, a large image, a camera that is near, and many faces.
+    // before the ceiling, a large image, and many faces.
     assert!(!changed(|scene| {
         let positions = &mut mesh(scene, "box").positions;
         positions.iter_mut().for_each(|p| p.x *= 1e-3);
@@ -573,11 +573,37 @@ fn other_scenes_have_single_rays() {
     assert!(!changed(
         |scene| (scene.film.size, scene.film.crop_size) = ([4096; 2], [4096; 2])
     ));
-    assert!(!changed(|scene| {
-        let positions = &mut mesh(scene, "box").positions;
-        let near = |p: &mut Vec3| *p += Vec3::new(0.16, 0.75, 3.3);
-        positions.iter_mut().for_each(near);
-    }));
+    // Something near the camera; but behind it or beside the image only if something is specular.
+    let beside = |towards: [f64; 3], is_specular: bool| {
+        let mut scene = room();
+        let view = scene.sensor.view(&scene.film);
+        let [left, up, forward] = view.axes();
+        let [x, y, z] = towards;
+        let place = view.origin + (left * x + up * y + forward * z) * 0.05;
+        let positions = &mut mesh(&mut scene, "box").positions;
+        let sum = positions.iter().fold(Vec3::zero(), |sum, &p| sum + p);
+        let centre = sum / positions.len() as f64;
+        let moved = |p: &mut Vec3| *p = place + (*p - centre) * 0.04;
+        positions.iter_mut().for_each(moved);
+        if is_specular {
+            scene.materials.push(Material {
+                id: "pane".into(),
+                // It passes light in one direction, as mirrors reflect it.
+                bsdf: Null::default().into(),
+            });
+            let bsdf = BsdfId(scene.materials.len() as u32 - 1);
+            std::sync::Arc::make_mut(&mut scene.shapes[0]).bsdf = bsdf;
+        }
+        has_packets(scene)
+    };
+    assert!(!beside([0.0, 0.0, 1.0], false));
+    let elsewhere = [[0.0, -1.0], [1.0, 0.2], [-1.0, 0.2]];
+    for [x, z] in elsewhere {
+        for towards in [[x, 0.0, z], [0.0, x, z]] {
+            let packets = [false, true].map(|is_specular| beside(towards, is_specular));
+            assert_eq!(packets, [true, false], "{towards:?}");
+        }
+    }
     assert!(!changed(|scene| {
         let bsdf = scene.shapes[0].bsdf;
         scene.add_shape(Shape::new("fine", icosphere(8), ShadingNormals::Face, bsdf));
