@@ -62,12 +62,14 @@ impl EmitterChoice {
             light[i] = view * sampler.brightness;
             can_light[i] = f64::from(view > 0.0);
         }
-        let [all, lit]: [f64; 2] = [light.iter().sum(), can_light.iter().sum()];
+        let sums = [&light, &can_light].map(|numbers| numbers[..count].iter().sum());
+        let [all, lit]: [f64; 2] = sums;
         // False for NaN, and where all are black.
         if all > 0.0 && all < f64::INFINITY {
-            let parts = std::array::from_fn(|i| {
-                UNIFORM * can_light[i] / lit + (1.0 - UNIFORM) * light[i] / all
-            });
+            let mut parts = [0.0; MANY];
+            for (i, part) in parts[..count].iter_mut().enumerate() {
+                *part = UNIFORM * can_light[i] / lit + (1.0 - UNIFORM) * light[i] / all;
+            }
             choice.probabilities = Some(parts);
         }
         choice

@@ -39,6 +39,13 @@ impl Receiver {
         }
     }
 
+    /// [`Self::largest_cosine`] of a unit direction.
+    pub fn largest_cosine_in(&self, direction: Vec3) -> f64 {
+        let cos = direction.dot(self.frame.n);
+        let cos = if self.transmits { cos.abs() } else { cos };
+        (cos + ROUNDING).clamp(0.0, 1.0)
+    }
+
     /// True if light from a unit direction comes from behind. False for NaN, which the pixel counts.
     #[inline]
     pub fn is_behind(&self, direction: Vec3) -> bool {

@@ -252,7 +252,8 @@ impl<'a> LaneLights<'a> {
         [rectangles, skies]
     }
 
-    /// Draws a direction towards an emitter that is neither a rectangle nor an environment map.
+    /// Draws a direction towards an emitter that is neither a rectangle nor an environment map; of one
+    /// without extent the light is known then, too.
     fn draw_one(
         &self,
         chosen: usize,
@@ -263,6 +264,20 @@ impl<'a> LaneLights<'a> {
         lit: &mut Lit,
     ) {
         let (emitter, sampler) = (EmitterId(chosen as u32), &self.samplers[chosen].directions);
+        if self.kinds[chosen].is_delta {
+            let Some(light) = self.accel.delta_light(emitter, receiver.position) else {
+                return;
+            };
+            let own = self.accel.scene.emitter(emitter);
+            let irradiance = irradiance_of(&Primal(self.accel), own, &light);
+            lit.radiance.set_colour(lane, irradiance);
+            lit.direction.set(lane, light.direction);
+            lit.range[1][lane] = light.distance;
+            lit.hits[lane] = None;
+            lit.mask |= 1 << lane;
+            lit.of_delta |= 1 << lane;
+            return;
+        }
         let drawn = TowardsEmitter::draw(self.accel, emitter, sampler, receiver, u);
         // False for no density, as well as for a direction that leads nowhere.
         let Some(drawn) = drawn.filter(|drawn| drawn.pdf > 0.0) else {
@@ -273,7 +288,6 @@ impl<'a> LaneLights<'a> {
         lit.inverse_density[lane] = 1.0 / (times * drawn.pdf);
         lit.hits[lane] = drawn.hit;
         lit.mask |= 1 << lane;
-        lit.of_delta |= u32::from(self.kinds[chosen].is_delta) << lane;
     }
 
     /// Finds what some lanes receive from the emitters towards which directions were drawn.
@@ -294,14 +308,8 @@ impl<'a> LaneLights<'a> {
             let (position, direction) = (vertices.position.get(lane), lit.direction.get(lane));
             let radiance = match kind.radiance {
                 Some(radiance) => radiance,
+                None if kind.is_delta => continue,
                 None if kind.is_sky => lit.sky[lane].radiance,
-                None if kind.is_delta => {
-                    let light = self.accel.delta_light(emitter, position);
-                    let own = self.accel.scene.emitter(emitter);
-                    light.map_or(Rgb::zero(), |light| {
-                        irradiance_of(&Primal(self.accel), own, &light)
-                    })
-                }
                 None => {
                     let seen = self.seen(vertices, lit, lane);
                     self.radiance(emitter, &seen, position, direction)
