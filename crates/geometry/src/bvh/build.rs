@@ -22,6 +22,8 @@ pub enum Splits {
     Coarse,
     /// A tree that takes a little longer to build and is searched faster.
     Fine,
+    /// As fine, by this thread alone.
+    Alone,
 }
 
 /// Which primitives leaves may have.
@@ -135,7 +137,7 @@ fn split_recursively(range: Range, leaves: Leaves, splits: Splits, halt: &Halt) 
     let depth_if_halved = depth + count.next_power_of_two().ilog2() as usize;
     // The primitives on the left of the split come first in the range.
     let left = match depth_if_halved < MAX_DEPTH {
-        true if splits == Splits::Fine && count >= FINE_MINIMUM => {
+        true if splits != Splits::Coarse && count >= FINE_MINIMUM => {
             split_best::<FINE_BINS>(primitives, &centres, leaves.size)
         }
         true => split_best::<BINS>(primitives, &centres, leaves.size),
@@ -157,7 +159,7 @@ fn split_recursively(range: Range, leaves: Leaves, splits: Splits, halt: &Halt) 
         start: start + left as u32,
         depth: depth + 1,
     };
-    if count >= PARALLEL_MINIMUM {
+    if count >= PARALLEL_MINIMUM && splits != Splits::Alone {
         rayon::join(
             || split_recursively(left_range, leaves, splits, halt),
             || split_recursively(right_range, leaves, splits, halt),

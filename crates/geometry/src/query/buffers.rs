@@ -93,7 +93,7 @@ impl RayTree {
     pub fn buffers(&self) -> RayBuffers {
         let Self {
             flat, hierarchy, ..
-        } = &*self.without_spheres();
+        } = self.without_spheres();
         let nodes = flat.nodes.iter().flat_map(|node| {
             let planes = node.planes.iter().flatten().flatten();
             let planes = planes.map(|plane| plane.to_bits());

@@ -5,9 +5,10 @@
 
 use super::beam::Beam;
 use super::bundle::{BUNDLE, Bundle, NO_FACE};
-use super::local_bundle::LocalBundle;
+use super::local_bundle::{LocalBundle, Numbers};
 use super::ray_kernel::TriangleBlock;
 use super::ray_search::{FirstHit, Occluded};
+use super::sphere_beam::Passages;
 use super::triangle_tree::TriangleTree;
 use crate::bvh::{Child, ChildKind, Stack, VisitOfRays};
 use crate::ray::Hit;
@@ -60,7 +61,7 @@ impl TriangleTree {
     /// The rays that go through it together.
     #[inline(always)]
     fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle) -> Option<Beam<'a, S>> {
-        match self.is_whole {
+        match self.has_no_trees {
             true => Beam::new(simd, local, FEW),
             false => None,
         }
@@ -79,8 +80,7 @@ impl FirstHits<'_> {
             rays: beam.mask,
         });
         while let Some(VisitOfRays { child, mut rays }) = stack.pop(farthest) {
-            let is_sphere = tree.is_sphere(child);
-            if rays.count_ones() <= FEW || is_sphere {
+            if rays.count_ones() <= FEW {
                 while rays != 0 {
                     let ray = rays.trailing_zeros() as usize % BUNDLE;
                     rays &= rays - 1;
@@ -97,8 +97,10 @@ impl FirstHits<'_> {
                     stack.push_sorted(found, &near, &visits);
                 }
                 Some(ChildKind::Leaf(leaf)) => {
-                    let block = &tree.leaves[leaf];
-                    self.leaf(simd, beam, block, rays, best, &mut limits);
+                    match tree.leaves.get(leaf) {
+                        Some(block) => self.leaf(simd, beam, block, rays, best, &mut limits),
+                        None => self.sphere(simd, beam, child, rays, best, &mut limits),
+                    }
                     farthest = simd.load_16(&limits).largest();
                 }
                 None => {}
@@ -126,6 +128,37 @@ impl FirstHits<'_> {
                     limits[ray] = beam.local.limit(ray, t);
                 }
             });
+        }
+    }
+
+    #[inline(always)]
+    fn sphere<S: Simd>(
+        &self,
+        simd: S,
+        beam: &Beam<'_, S>,
+        child: Child,
+        rays: u32,
+        best: &mut Best,
+        limits: &mut [f32; BUNDLE],
+    ) {
+        let sphere = self.tree.sphere(child);
+        let local = beam.local;
+        let range = [&local.range[0], &best.t];
+        let passages = Passages::new(sphere, &local.origin, &local.direction, range);
+        let faces = &mut best.faces;
+        let found = |ray: usize, face, t, t_max: &mut Numbers| {
+            if (t, face) < (t_max[ray], faces[ray]) {
+                t_max[ray] = t;
+                faces[ray] = face;
+                limits[ray] = local.limit(ray, t);
+            }
+        };
+        let mut rest = beam.intersect_sphere(simd, sphere, &passages, rays, &mut best.t, found);
+        while rest != 0 {
+            let ray = rest.trailing_zeros() as usize % BUNDLE;
+            rest &= rest - 1;
+            self.alone(simd, local, child, ray, best);
+            limits[ray] = local.limit(ray, best.t[ray]);
         }
     }
 
@@ -204,8 +237,7 @@ impl OccludedRays<'_> {
             && let Some(VisitOfRays { child, rays }) = stack.pop(farthest)
         {
             let mut rays = rays & free;
-            let is_sphere = tree.is_sphere(child);
-            if rays.count_ones() <= FEW || is_sphere {
+            if rays.count_ones() <= FEW {
                 while rays != 0 {
                     let ray = rays.trailing_zeros() as usize % BUNDLE;
                     rays &= rays - 1;
@@ -220,18 +252,47 @@ impl OccludedRays<'_> {
                     let (found, near, visits) = beam.children(simd, node, rays, &limits, farthest);
                     stack.push_sorted(found, &near, &visits);
                 }
-                Some(ChildKind::Leaf(leaf)) => {
-                    let block = &tree.leaves[leaf];
-                    for lane in 0..block.faces().count() {
-                        beam.intersect(simd, block, lane, rays & free, &mut t_max, |ray, _, _| {
-                            free &= !(1 << ray);
-                        });
+                Some(ChildKind::Leaf(leaf)) => match tree.leaves.get(leaf) {
+                    Some(block) => {
+                        for lane in 0..block.faces().count() {
+                            beam.intersect(
+                                simd,
+                                block,
+                                lane,
+                                rays & free,
+                                &mut t_max,
+                                |ray, _, _| {
+                                    free &= !(1 << ray);
+                                },
+                            );
+                        }
                     }
-                }
+                    None => free &= !self.sphere(simd, beam, child, rays & free),
+                },
                 None => {}
             }
         }
         beam.mask & !free
+    }
+
+    /// One bit for each of some rays that hits a sphere.
+    #[inline(always)]
+    fn sphere<S: Simd>(&self, simd: S, beam: &Beam<'_, S>, child: Child, rays: u32) -> u32 {
+        let sphere = self.tree.sphere(child);
+        let local = beam.local;
+        let mut t_max = local.range[1];
+        let range = [&local.range[0], &t_max];
+        let passages = Passages::new(sphere, &local.origin, &local.direction, range);
+        let mut hit = passages.hits & rays;
+        let open = rays & !hit;
+        let found = |ray: usize, _, _, _: &mut Numbers| hit |= 1_u32 << ray;
+        let mut rest = beam.intersect_sphere(simd, sphere, &passages, open, &mut t_max, found);
+        while rest != 0 {
+            let ray = rest.trailing_zeros() as usize % BUNDLE;
+            rest &= rest - 1;
+            hit |= u32::from(self.alone(simd, local, child, ray)) << ray;
+        }
+        hit
     }
 
     /// True if one ray hits anything below a child of a node.

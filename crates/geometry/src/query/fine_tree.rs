@@ -77,7 +77,7 @@ pub fn fine_tree(all: Pieces<'_>, pieces: Vec<u32>, halt: &Halt) -> TriangleTree
         }
     }
     TriangleTree {
-        is_whole: !parts.iter().any(|part| matches!(part, CutPart::Tree(_))),
+        has_no_trees: !parts.iter().any(|part| matches!(part, CutPart::Tree(_))),
         parts: parts
             .into_par_iter()
             .map(|part| match part {

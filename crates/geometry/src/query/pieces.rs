@@ -1,6 +1,6 @@
 //! What trees have in their leaves: single triangles, and spheres.
 //!
-//! A piece is called by its first face.
+//! A piece has the number of its first face.
 
 use std::sync::Arc;
 

@@ -1,7 +1,6 @@
 //! The search for what a ray hits in a tree of triangles and in its parts.
 
 use super::ray_kernel::LocalRay;
-use super::sphere::Meeting;
 use super::triangle_tree::{Part, SpherePart, TriangleTree};
 use crate::bvh::{Child, ChildKind, Stack};
 use crate::ray::{Hit, Ray};
@@ -105,11 +104,13 @@ impl FirstHit<'_> {
     ) -> Option<Hit> {
         let mut best = before;
         let mut bounds = [self.ray.t_min, best.map_or(self.ray.t_max, |hit| hit.t)];
-        let passage = match part.sphere.meet(self.ray, bounds) {
-            Meeting::Misses => return before,
-            Meeting::Passes(passage) => passage,
-            Meeting::Unknown => return self.in_tree(part.tree(), before),
-        };
+        let passage = part.sphere.passage(self.ray.origin, self.ray.direction);
+        if !passage.is_known {
+            return self.in_tree(part.tree(), before);
+        }
+        if passage.misses(bounds) {
+            return before;
+        }
         for way in passage.ways().into_iter().flatten() {
             let (sphere, left) = (&part.sphere, bounds);
             let found = |hit: Hit| {
@@ -203,11 +204,13 @@ impl Occluded<'_> {
     #[inline(always)]
     fn in_sphere<S: Simd>(&self, simd: S, local: &LocalRay<S>, part: &SpherePart) -> bool {
         let bounds = [self.ray.t_min, self.ray.t_max];
-        let passage = match part.sphere.meet(self.ray, bounds) {
-            Meeting::Misses => return false,
-            Meeting::Passes(passage) => passage,
-            Meeting::Unknown => return self.in_tree(part.tree()),
-        };
+        let passage = part.sphere.passage(self.ray.origin, self.ray.direction);
+        if !passage.is_known {
+            return self.in_tree(part.tree());
+        }
+        if passage.misses(bounds) {
+            return false;
+        }
         if passage.surely_hits(bounds) {
             return true;
         }

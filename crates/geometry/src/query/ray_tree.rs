@@ -4,8 +4,7 @@
 //! margins for all rounding; triangles in double precision and in the world's
 //! (Woop, Benthin and Wald 2013), exactly as brute force does it.
 
-use std::borrow::Cow;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use capwalk_math::Vec3;
 use rayon::prelude::*;
@@ -29,7 +28,9 @@ use crate::simd::Instructions;
 /// A tree over the triangles of a mesh. It keeps what it needs of the mesh.
 ///
 /// Answers are bitwise those of [`oracle::first_hit`](crate::oracle::first_hit),
-/// on every CPU: bounds only decide what need not be tested.
+/// on every CPU: bounds only decide what need not be tested. (Where a ray runs in the plane of a face,
+/// rounding decides how far along the face it is hit; the tree may leave such a hit out if the ray
+/// begins or ends on the same face.)
 #[derive(Clone, Debug)]
 pub struct RayTree {
     face_count: usize,
@@ -41,6 +42,8 @@ pub struct RayTree {
     /// The tree that is searched in its place, if single precision does not tell the triangles of
     /// some small part from each other.
     fine: Option<Box<TriangleTree>>,
+    /// The tree in which spheres are triangles, if it was asked for.
+    triangles: OnceLock<Box<Self>>,
     cost: SurfaceCost,
     instructions: Instructions,
 }
@@ -53,7 +56,7 @@ impl RayTree {
 
     /// [`Self::build`], unless the work is given up.
     pub fn try_build(mesh: &Mesh, halt: &Halt) -> Result<Self, Halted> {
-        Self::with_spheres(mesh, Sphere::all(mesh), halt)
+        Self::with_spheres(mesh, Sphere::all(mesh, &[]), halt)
     }
 
     /// The tree of a mesh in which these are spheres.
@@ -74,9 +77,10 @@ impl RayTree {
                 nodes: Vec::new(),
                 leaves: Vec::new(),
                 parts: Vec::new(),
-                is_whole: true,
+                has_no_trees: true,
             },
             fine: None,
+            triangles: OnceLock::new(),
             cost: SurfaceCost::default(),
             instructions: Instructions::detect(),
         };
@@ -87,8 +91,8 @@ impl RayTree {
     }
 
     /// Follows moved vertices; the faces must be those it was built with. Takes
-    /// time in proportion to their number, and no memory but for the boxes. If something is no
-    /// sphere any more, the tree is built anew.
+    /// time in proportion to their number, and no memory but for the boxes and for the vertices of
+    /// spheres. If something is no sphere any more, the tree is built anew.
     ///
     /// Answers stay exact however far vertices move, bit for bit those of a new
     /// tree; they only take longer, see [`degradation`](Self::degradation).
@@ -98,20 +102,22 @@ impl RayTree {
             mesh.faces.len(),
             "a tree is refitted with the faces it was built with"
         );
-        let moved = self.spheres.par_iter().map(|sphere| sphere.moved(mesh));
-        match moved.map(|sphere| sphere.map(Arc::new)).collect() {
-            Some(spheres) => {
-                self.spheres = spheres;
-                self.follow(mesh, &Halt::never());
-            }
-            None => {
-                let instructions = self.instructions;
-                *self = Self {
-                    instructions,
-                    ..Self::build(mesh)
-                };
-            }
+        if let Some(triangles) = self.triangles.get_mut() {
+            triangles.refit(mesh);
         }
+        let moved = self.spheres.par_iter().map(|sphere| sphere.moved(mesh));
+        if let Some(spheres) = moved.map(|sphere| sphere.map(Arc::new)).collect() {
+            self.spheres = spheres;
+            self.follow(mesh, &Halt::never());
+            return;
+        }
+        let spheres = Sphere::all(mesh, &self.spheres);
+        let new = Self::with_spheres(mesh, spheres, &Halt::never());
+        *self = Self {
+            triangles: std::mem::take(&mut self.triangles),
+            instructions: self.instructions,
+            ..new.expect("nobody gives it up")
+        };
     }
 
     fn follow(&mut self, mesh: &Mesh, halt: &Halt) {
@@ -160,11 +166,20 @@ impl RayTree {
             .then(|| Box::new(fine_tree(pieces, pieces.all(), halt)));
     }
 
-    /// This tree, with the triangles of spheres as all others: for devices and packets.
-    pub(super) fn without_spheres(&self) -> Cow<'_, Self> {
-        if self.spheres.is_empty() {
-            return Cow::Borrowed(self);
+    /// This tree, with the triangles of spheres as all others: for devices and packets. Made when first
+    /// asked for, and refitted with this one.
+    pub(super) fn without_spheres(&self) -> &Self {
+        if self.spheres.is_empty() && self.triangles.get().is_none() {
+            return self;
         }
+        if self.triangles.get().is_none() {
+            // Not while others wait: it is made by several threads.
+            let _ = self.triangles.set(Box::new(self.with_all_triangles()));
+        }
+        self.triangles.get().expect("it was made")
+    }
+
+    fn with_all_triangles(&self) -> Self {
         let blocks = self.flat.leaves.iter();
         let single = blocks.flat_map(|block| {
             let lanes = block.faces().enumerate();
@@ -184,7 +199,7 @@ impl RayTree {
             faces: vertices.as_chunks().0.to_vec(),
         };
         let tree = Self::with_spheres(&mesh, Vec::new(), &Halt::never());
-        Cow::Owned(tree.expect("nobody gives it up"))
+        tree.expect("nobody gives it up")
     }
 
     /// What queries search.

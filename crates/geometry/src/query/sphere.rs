@@ -5,42 +5,48 @@
 //! direction from the centre tells which face it can hit, and that is tested exactly as any other:
 //! answers are those of brute force, to the bit. A segment that begins outside and ends inside of
 //! both is known to hit something. All of it in coordinates in which the sphere is the unit sphere,
-//! with a margin for all rounding.
+//! with a margin for rounding.
 
 use std::ops::Range;
 use std::sync::Arc;
 
 use capwalk_math::Vec3;
 
+use super::passage::Passage;
 use super::ray_kernel::{LANES, LocalRay, TriangleBlock};
-use super::sphere_grid::SphereGrid;
+use super::sphere_grid::{Along, SphereGrid};
 use crate::bvh::Hierarchy;
 use crate::mesh::Mesh;
-use crate::ray::{Hit, Ray};
+use crate::ray::Hit;
 use crate::simd::Simd;
 
 /// Spheres with a smaller frequency, which have fewer than 320 faces, are triangles like others.
 const LEAST_FREQUENCY: u32 = 4;
 
-/// Those with a larger one are, too: their tables would be as large as they are.
+/// Those with a larger one, which have millions of faces, are, too.
 const LARGEST_FREQUENCY: u32 = 1000;
 
 /// How far vertices may be from those of the unit sphere.
 const DEVIATION: f64 = 1e-9;
 
-/// What is computed in the sphere's coordinates is off by no more than `MARGIN[0] + MARGIN[1] r`, on
-/// a line whose origin is `r` from the centre: the deviation, and sixty-four roundings.
+/// What is computed in the sphere's coordinates is off by no more than `MARGIN[0] + MARGIN[1] r`: the
+/// deviation, and sixty-four roundings, where `r` is how far the origin of the line is from the centre
+/// in the world and how large the sphere is there, times the stretch.
 const MARGIN: [f64; 2] = [4.0 * DEVIATION, 1.0 / (1_u64 << 47) as f64];
+
+/// What is a thousand times as long as it is thin is no sphere: distances along rays, which are measured
+/// in the world, would be too rough.
+const LARGEST_REACH: f64 = 1000.0;
 
 /// With a larger margin the sphere is searched as a tree.
 const LARGEST_MARGIN: f64 = 1e-4;
 
-/// Components of directions are within these limits, or the sphere is searched as a tree.
-const SPEEDS: [f64; 2] = [1e-150, 1e150];
+/// Squares of the lengths of directions are within these limits, or the sphere is searched as a tree.
+const SQUARES: [f64; 2] = [1e-300, 1e300];
 
-/// Rays whose angle to the faces has a larger sine hit them where they meet them, but for so many
-/// times the margin: each of the weights that a distance is made of is off by a tenth of that, over
-/// the sine. Others may hit a face anywhere on their way along it.
+/// A face is hit where the line meets it, or so many margins from there at most, if the sine of the
+/// angle between them is larger than this: each of the weights that a distance is made of is off by a
+/// tenth of that, over the sine. Along others a line may hit a face anywhere.
 const STEEP: f64 = 0.1;
 const MARGINS_OF_STEEP: f64 = 100.0;
 
@@ -58,37 +64,23 @@ pub struct Sphere {
     rows: [Vec3; 3],
     /// Distances there are no longer than this times those in the world.
     stretch: f64,
-    /// The corners of the box around it.
+    /// The corners of the box around it in the world, and half its extents; these added up, times
+    /// the stretch.
     corners: [Vec3; 2],
-}
-
-/// Where a line passes a sphere, as distances along it.
-pub struct Passage {
-    origin: Vec3,
-    direction: Vec3,
-    margin: f64,
-    /// Where it is next to the centre, how long before and after it is within the outer sphere,
-    /// and how long in the inner one, if it meets that.
-    middle: f64,
-    outer: f64,
-    inner: Option<f64>,
-    /// Hits may be found so much before or after where the line meets the face.
-    slack: f64,
-}
-
-/// How a line lies to a sphere.
-pub enum Meeting {
-    /// No face is hit.
-    Misses,
-    Passes(Passage),
-    /// Double precision does not tell.
-    Unknown,
+    half: Vec3,
+    reach: f64,
 }
 
 impl Sphere {
-    /// The spheres of a mesh, in the order of their faces.
-    pub fn all(mesh: &Mesh) -> Vec<Arc<Self>> {
+    /// The spheres of a mesh, in the order of their faces. Some had been found before it moved, whose
+    /// tables are used again.
+    pub fn all(mesh: &Mesh, before: &[Arc<Self>]) -> Vec<Arc<Self>> {
         let mut grids: Vec<Arc<SphereGrid>> = Vec::new();
+        for sphere in before {
+            if !grids.iter().any(|grid| Arc::ptr_eq(grid, &sphere.grid)) {
+                grids.push(sphere.grid.clone());
+            }
+        }
         let mut spheres = Vec::new();
         let mut face = 0;
         while face < mesh.faces.len() {
@@ -131,13 +123,18 @@ impl Sphere {
         }
         let low = positions.iter().fold(positions[0], |low, &p| low.min(p));
         let high = positions.iter().fold(positions[0], |high, &p| high.max(p));
-        Some(Self {
+        let half = (high - low) * 0.5;
+        let stretch = rows.map(Vec3::length_squared).iter().sum::<f64>().sqrt();
+        let reach = stretch * (half.x + half.y + half.z);
+        (reach < LARGEST_REACH).then_some(Self {
             first_face: first_face as u32,
             is_reversed,
             centre,
             rows,
-            stretch: rows.map(Vec3::length_squared).iter().sum::<f64>().sqrt(),
+            stretch,
             corners: [low, high],
+            half,
+            reach,
             positions,
             grid,
         })
@@ -184,49 +181,77 @@ impl Sphere {
         block
     }
 
-    /// How a ray meets it within bounds.
+    /// How a line passes it, without a branch.
     #[inline(always)]
-    pub fn meet(&self, ray: &Ray, [t_min, t_max]: [f64; 2]) -> Meeting {
-        let from = ray.origin - self.centre;
-        let margin =
-            MARGIN[0] + MARGIN[1] * self.stretch * (from.x.abs() + from.y.abs() + from.z.abs());
-        let direction = times(self.rows, ray.direction);
-        let speed = direction.map(f64::abs).max_component();
-        let is_known = margin < LARGEST_MARGIN && SPEEDS[0] < speed && speed < SPEEDS[1];
-        if !is_known {
-            return Meeting::Unknown; // also for NaN
-        }
+    pub fn passage(&self, origin: Vec3, way: Vec3) -> Passage {
+        let from = origin - self.centre;
+        let distance = from.x.abs() + from.y.abs() + from.z.abs();
+        let margin = MARGIN[0] + MARGIN[1] * (self.stretch * distance + self.reach);
         let origin = times(self.rows, from);
+        let direction = times(self.rows, way);
         let square = direction.length_squared();
         let middle = -origin.dot(direction) / square;
-        let distance = (origin + direction * middle).length_squared();
-        let within = |radius: f64| radius * radius - distance;
-        if within(1.0 + margin) < 0.0 {
-            return Meeting::Misses;
-        }
+        let nearest = (origin + direction * middle).length_squared();
+        let (largest, least) = (1.0 + margin, self.grid.inner - margin);
+        let within_outer = largest * largest - nearest;
+        let within_inner = least * least - nearest;
         let speed = square.sqrt();
-        let inner = within(self.grid.inner - margin);
+        let per_length = 1.0 / speed;
+        // Distances along rays are measured along the axis on which they are fastest in the world;
+        // along it the sphere is so long, in units of its own.
+        let (x, y, z) = (way.x.abs(), way.y.abs(), way.z.abs());
+        let is_x = (x >= y) & (x >= z);
+        let is_y = y >= z;
+        let (half_yz, fastest_yz) = if is_y {
+            (self.half.y, y)
+        } else {
+            (self.half.z, z)
+        };
+        let (half, fastest) = if is_x {
+            (self.half.x, x)
+        } else {
+            (half_yz, fastest_yz)
+        };
+        let length = 1.0 + half * speed / fastest;
         // The sine of the angle between the line and the sphere; faces are tilted by less than
         // their width.
-        let steepness = inner.max(0.0).sqrt();
+        let steepness = within_inner.max(0.0).sqrt();
         let width = self.grid.width_of_face;
-        let slack = match steepness > width + STEEP {
-            true => MARGINS_OF_STEEP * margin,
-            false => width,
-        } / speed;
-        let outer = within(1.0 + margin).sqrt() / speed;
-        if t_min > middle + outer + slack || t_max < middle - outer - slack {
-            return Meeting::Misses;
-        }
-        Meeting::Passes(Passage {
+        let is_steep = steepness > width + STEEP;
+        let slack = if is_steep {
+            MARGINS_OF_STEEP * margin
+        } else {
+            width
+        };
+        let meets_inner = within_inner > 0.0;
+        Passage {
             origin,
             direction,
             margin,
             middle,
-            outer,
-            inner: (inner > 0.0).then_some(steepness / speed),
-            slack,
-        })
+            outer: within_outer.max(0.0).sqrt() * per_length,
+            inner: if meets_inner {
+                steepness * per_length
+            } else {
+                -1.0
+            },
+            slack: slack * length * per_length,
+            // False for NaN.
+            is_known: (margin < LARGEST_MARGIN) & (square > SQUARES[0]) & (square < SQUARES[1]),
+            meets: within_outer >= 0.0,
+        }
+    }
+
+    /// The faces, counted from its first, that a ray may hit on a way of its passage, within bounds.
+    #[inline(always)]
+    pub fn along(&self, passage: &Passage, way: [f64; 2], bounds: [f64; 2]) -> Along {
+        let start = way[0].max(bounds[0] - passage.slack);
+        let end = way[1].min(bounds[1] + passage.slack);
+        if start > end {
+            return Along::NONE;
+        }
+        let at = |t: f64| passage.origin + passage.direction * t;
+        self.grid.along([at(start), at(end)], passage.margin)
     }
 
     /// Calls `found` for each triangle that the ray hits on a way of its passage, within its bounds;
@@ -241,13 +266,7 @@ impl Sphere {
         bounds: [f64; 2],
         mut found: impl FnMut(Hit),
     ) -> bool {
-        let start = way[0].max(bounds[0] - passage.slack);
-        let end = way[1].min(bounds[1] + passage.slack);
-        if start > end {
-            return true;
-        }
-        let at = |t: f64| passage.origin + passage.direction * t;
-        let along = self.grid.along([at(start), at(end)], passage.margin);
+        let along = self.along(passage, way, bounds);
         let Some(faces) = along.faces() else {
             return false;
         };
@@ -258,43 +277,16 @@ impl Sphere {
     }
 }
 
-impl Passage {
-    /// Between which distances the line is between the outer and the inner sphere: on one way or
-    /// two, the nearer first.
-    #[inline(always)]
-    pub fn ways(&self) -> [Option<[f64; 2]>; 2] {
-        let Self { middle, outer, .. } = *self;
-        match self.inner {
-            None => [Some([middle - outer, middle + outer]), None],
-            Some(inner) => [
-                Some([middle - outer, middle - inner]),
-                Some([middle + inner, middle + outer]),
-            ],
-        }
-    }
-
-    /// True if the ray goes in from outside, or out from inside, within its bounds: then it hits a
-    /// face, the mesh being closed.
-    #[inline(always)]
-    pub fn surely_hits(&self, [t_min, t_max]: [f64; 2]) -> bool {
-        let is_within =
-            |[start, end]: [f64; 2]| t_min < start - self.slack && end + self.slack < t_max;
-        match self.ways() {
-            [Some(inward), Some(outward)] => is_within(inward) || is_within(outward),
-            _ => false,
-        }
-    }
-}
-
 /// The frequency of the icosphere that may begin with these faces, by how they are numbered.
 fn frequency_at(faces: &[[u32; 3]]) -> Option<u32> {
-    let [first, second, ..] = faces else {
+    let [first, second, third, ..] = faces else {
         return None;
     };
     let vertex = |i: u32| first[0].wrapping_add(i);
     let sorted = |[a, b, c]: [u32; 3]| [a, b.min(c), b.max(c)];
-    let begins =
-        sorted(*first) == [0, 1, 2].map(vertex) && sorted(*second) == [1, 2, 3].map(vertex);
+    let begins = sorted(*first) == [0, 1, 2].map(vertex)
+        && sorted(*second) == [1, 2, 3].map(vertex)
+        && sorted(*third) == [1, 3, 4].map(vertex);
     // Its second row begins with the third vertex.
     let most = 2 * LARGEST_FREQUENCY as usize;
     let row = begins.then(|| {

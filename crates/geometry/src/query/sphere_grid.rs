@@ -17,7 +17,8 @@ use crate::icosphere::{icosahedron, icosphere};
 /// Faces of an icosahedron.
 const BASES: usize = 20;
 
-/// No more faces lie along a part of a line between the inner and the outer sphere, as a rule.
+/// No more faces may be met along a part of a line between the inner and the outer sphere; where they
+/// could be more, the sphere is searched as a tree.
 pub const MOST_ALONG: usize = 64;
 
 /// No edge is longer than this over the frequency: those next to the middle of a face of the
@@ -59,7 +60,7 @@ pub struct Along {
 }
 
 impl Along {
-    const NONE: Self = Self {
+    pub const NONE: Self = Self {
         faces: [0; MOST_ALONG],
         count: 0,
     };
@@ -145,7 +146,8 @@ impl SphereGrid {
         }
     }
 
-    /// A tree over the faces.
+    /// A tree over the faces, made when first asked for. By one thread: another task of this thread
+    /// that asked for it meanwhile would wait for itself.
     pub fn hierarchy(&self) -> &Hierarchy {
         self.hierarchy.get_or_init(|| {
             let corners = |face: &[u32; 3]| face.map(|i| self.directions[i as usize]);
@@ -154,7 +156,7 @@ impl SphereGrid {
                 .iter()
                 .map(|face| Aabb::around(corners(face)))
                 .collect();
-            build(&bounds, Leaves::of(LANES), Splits::Fine, &Halt::never())
+            build(&bounds, Leaves::of(LANES), Splits::Alone, &Halt::never())
         })
     }
 

@@ -8,7 +8,7 @@ use crate::aabb::Aabb;
 use crate::bvh::{Child, ChildKind, child_bounds};
 use crate::local_frame::LocalFrame;
 
-/// A tree of triangles, of which parts are trees of their own.
+/// A tree of triangles, of which parts are trees of their own, or spheres.
 #[derive(Clone, Debug)]
 pub struct TriangleTree {
     /// The coordinates of its nodes.
@@ -18,7 +18,7 @@ pub struct TriangleTree {
     /// Behind the numbers of the leaves come those of the parts.
     pub parts: Vec<Part>,
     /// True if no part is a tree.
-    pub is_whole: bool,
+    pub has_no_trees: bool,
 }
 
 /// A part of a tree.
@@ -33,21 +33,21 @@ pub enum Part {
 #[derive(Clone, Debug)]
 pub struct SpherePart {
     pub sphere: Arc<Sphere>,
-    tree: OnceLock<Box<TriangleTree>>,
+    tree: Arc<OnceLock<TriangleTree>>,
 }
 
 impl SpherePart {
     pub fn new(sphere: Arc<Sphere>) -> Self {
         Self {
             sphere,
-            tree: OnceLock::new(),
+            tree: Arc::default(),
         }
     }
 
     /// Its triangles as a tree, made when first asked for: for what is not done with it as a whole.
     pub fn tree(&self) -> &TriangleTree {
         self.tree
-            .get_or_init(|| Box::new(TriangleTree::of_sphere(&self.sphere)))
+            .get_or_init(|| TriangleTree::of_sphere(&self.sphere))
     }
 }
 
@@ -73,7 +73,7 @@ impl TriangleTree {
             leaves,
             frame,
             parts: Vec::new(),
-            is_whole: true,
+            has_no_trees: true,
         }
     }
 
@@ -83,9 +83,13 @@ impl TriangleTree {
         &self.parts[leaf - self.leaves.len()]
     }
 
-    /// True for a child that is a part and no node, in a tree of which no part is a tree.
+    /// The sphere that a child is which is no node and no block of triangles, in a tree that has no
+    /// trees.
     #[inline(always)]
-    pub fn is_sphere(&self, child: Child) -> bool {
-        matches!(child.kind(), Some(ChildKind::Leaf(leaf)) if leaf >= self.leaves.len())
+    pub fn sphere(&self, child: Child) -> &Sphere {
+        match child.kind() {
+            Some(ChildKind::Leaf(leaf)) if let Part::Sphere(part) = self.part(leaf) => &part.sphere,
+            _ => unreachable!("{child:?} is no sphere"),
+        }
     }
 }

@@ -169,6 +169,107 @@ fn spheres_that_are_hard_to_see_are_brute_force() {
     rays::check(&tree, &mesh, &rays).unwrap();
 }
 
+/// Rays in the planes of a long ellipsoid's faces, which begin and end where they hit it; what is still
+/// longer is no sphere.
+#[test]
+fn ellipsoids_are_brute_force() {
+    let long = |length: f64| {
+        let mut mesh = icosphere(4);
+        mesh.positions.iter_mut().for_each(|p| p.z *= length);
+        mesh
+    };
+    assert_eq!(RayTree::build(&long(1e4)).sphere_count(), 0);
+    for length in [1.0, 100.0] {
+        let mesh = long(length);
+        let tree = RayTree::build(&mesh);
+        assert_eq!(tree.sphere_count(), 1);
+        let rays = (0..4000).filter_map(|i| {
+            let ray = Ray {
+                t_min: f64::NEG_INFINITY,
+                t_max: f64::INFINITY,
+                ..grazing(&mesh, i)
+            };
+            let t = oracle::first_hit(&mesh, &ray)?.t;
+            let [t_min, t_max] = [[t, t], [t, f64::INFINITY], [f64::NEG_INFINITY, t]][i % 3];
+            Some(Ray {
+                t_min,
+                t_max,
+                ..ray
+            })
+        });
+        let mut rays: Vec<Ray> = rays.collect();
+        if length > 1.0 {
+            // Its distance is that of another part of the face.
+            let t = -0.032_135_478_258_222_765;
+            rays.push(Ray {
+                origin: Vec3::new(0.6262223599184013, -0.7472687683034976, -18.85968403222804),
+                direction: Vec3::new(-7.192688054576877, -4.849683451702436, -52.370426083989884),
+                t_min: t,
+                t_max: t,
+            });
+        }
+        assert!(rays.len() > 2000, "{}", rays.len());
+        rays::check(&tree, &mesh, &rays).unwrap();
+    }
+}
+
+/// Threads that need a sphere's triangles while one of them finds them do not wait for each other.
+#[test]
+fn spheres_are_shared_between_tasks() {
+    let mesh = icosphere(55);
+    let wedge = [Vec3::new(0.1, 0.9, 0.0), Vec3::new(0.0, 0.2, 0.9)];
+    let wedge = Wedge::new(Apex::Point(Vec3::new(4.0, 0.3, 0.2)), wedge).expect("a wedge");
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(3).build();
+    let pool = pool.expect("three threads");
+    let work = move || {
+        for _ in 0..20 {
+            let tree = RayTree::build(&mesh);
+            let wait = |ms| std::thread::sleep(std::time::Duration::from_millis(ms));
+            let ask = |after| {
+                wait(after);
+                let mut found = Vec::new();
+                tree.across(&mesh, &wedge, &mut found);
+                assert!(!found.is_empty());
+            };
+            pool.install(|| {
+                let two = || rayon::join(|| ask(3), || ask(0));
+                rayon::join(|| ask(2), || rayon::join(two, || wait(4)))
+            });
+        }
+    };
+    let (done, is_done) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        work();
+        done.send(())
+    });
+    let minute = std::time::Duration::from_secs(60);
+    assert_eq!(is_done.recv_timeout(minute), Ok(()), "they wait for ever");
+}
+
+/// A tree that devices have stays what it was when vertices move, but for where its triangles are.
+#[test]
+fn buffers_follow_vertices() {
+    let mesh = icosphere(9);
+    let mut tree = RayTree::build(&mesh);
+    let before = tree.buffers();
+    let mut moved = mesh.clone();
+    for p in &mut moved.positions {
+        *p = Vec3::new(3.0 * p.x, p.y + p.x, 0.3 * p.z);
+    }
+    moved.positions[20] = moved.positions[20] * 0.7;
+    tree.refit(&moved);
+    let after = tree.buffers();
+    assert_eq!(before.faces, after.faces);
+    assert_eq!(before.leaf_starts, after.leaf_starts);
+    assert_eq!(before.below, after.below);
+    let corners = after
+        .faces
+        .iter()
+        .flat_map(|&face| moved.corners(face as usize));
+    let corners: Vec<f64> = corners.flat_map(Vec3::to_array).collect();
+    assert_eq!(after.triangles, corners);
+}
+
 /// Faces that are no icosphere, or not all of one, are triangles.
 #[test]
 fn others_are_no_spheres() {
