@@ -1,8 +1,7 @@
 //! Rectangles, cubes, disks, cylinders and spheres of triangles.
 
-use std::borrow::Cow;
 use std::f64::consts::PI;
-use std::sync::OnceLock;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use capwalk_geometry::{Mesh, icosphere};
 use capwalk_math::{Affine, Vec3};
@@ -134,7 +133,7 @@ pub fn divided_sphere(
     radius: f64,
     division: u32,
 ) -> (Mesh, ShadingNormals) {
-    let mut mesh = turned_icosphere(division).into_owned();
+    let mut mesh = Mesh::clone(&turned_icosphere(division));
     let side = world_from_object.determinant().signum();
     let mut normals = Vec::with_capacity(mesh.positions.len());
     for p in &mut mesh.positions {
@@ -148,20 +147,39 @@ pub fn divided_sphere(
 /// The unit sphere. The icosahedron's edges lie in planes of symmetry. Turned at
 /// random they do not line up with axes, cameras and emitters. It stays symmetric
 /// about its centre, so the bounding box keeps its centre there.
-pub(super) fn turned_icosphere(division: u32) -> Cow<'static, Mesh> {
-    // Scenes have hundreds of the usual one.
-    static USUAL: OnceLock<Mesh> = OnceLock::new();
-    let make = || {
+pub(super) fn turned_icosphere(division: u32) -> Arc<Mesh> {
+    static LAST: LastDivision<Mesh> = LastDivision::none();
+    LAST.get(division, || {
         let mut mesh = icosphere(division);
         let turned = Affine::rotate(Vec3::new(0.36, 0.48, -0.8), 0.7);
         for p in &mut mesh.positions {
             *p = turned.vector(*p);
         }
         mesh
-    };
-    match division {
-        SPHERE_DIVISION => Cow::Borrowed(USUAL.get_or_init(make)),
-        _ => Cow::Owned(make()),
+    })
+}
+
+/// What was made last for a division: scenes have hundreds of equal spheres.
+pub(super) struct LastDivision<T>(Mutex<Option<(u32, Arc<T>)>>);
+
+impl<T> LastDivision<T> {
+    /// Nothing yet.
+    pub const fn none() -> Self {
+        Self(Mutex::new(None))
+    }
+
+    /// That for this division, made if it is not the last one.
+    pub fn get(&self, division: u32, make: impl FnOnce() -> T) -> Arc<T> {
+        // Another thread that panicked while it held the lock has not changed it.
+        let mut last = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        match &*last {
+            Some((known, made)) if *known == division => made.clone(),
+            _ => {
+                let made = Arc::new(make());
+                *last = Some((division, made.clone()));
+                made
+            }
+        }
     }
 }
 

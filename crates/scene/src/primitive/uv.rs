@@ -2,11 +2,12 @@
 //! the corners of each triangle, in the order of the mesh's faces.
 
 use std::f64::consts::PI;
-use std::sync::OnceLock;
 
 use capwalk_math::{Affine, Vec3};
 
-use super::tessellated::{ROUND_SEGMENTS, SPHERE_DIVISION, cube, rectangle, turned_icosphere};
+use super::tessellated::{
+    LastDivision, ROUND_SEGMENTS, SPHERE_DIVISION, cube, rectangle, turned_icosphere,
+};
 
 /// Texture coordinates of the three corners of each face.
 pub type FaceUvs = Vec<[[f64; 2]; 3]>;
@@ -79,16 +80,13 @@ pub fn sphere_uvs() -> FaceUvs {
 
 /// Texture coordinates of [`super::divided_sphere`].
 pub fn divided_sphere_uvs(division: u32) -> FaceUvs {
-    static USUAL: OnceLock<FaceUvs> = OnceLock::new();
-    let make = || {
+    static LAST: LastDivision<FaceUvs> = LastDivision::none();
+    let uvs = LAST.get(division, || {
         let mesh = turned_icosphere(division);
         let faces = (0..mesh.faces.len()).map(|face| unwrapped(mesh.corners(face).map(spherical)));
         faces.collect()
-    };
-    match division {
-        SPHERE_DIVISION => USUAL.get_or_init(make).clone(),
-        _ => make(),
-    }
+    });
+    FaceUvs::clone(&uvs)
 }
 
 /// These angles, in turns, as close to each other as they can be, none below 0.
