@@ -89,7 +89,8 @@ impl RayBuffers {
 }
 
 impl RayTree {
-    /// The tree as flat arrays.
+    /// The tree as flat arrays. After a refit they have the same order, unless they were not asked for
+    /// before.
     pub fn buffers(&self) -> RayBuffers {
         let Self {
             flat, hierarchy, ..

@@ -281,11 +281,14 @@ impl OccludedRays<'_> {
         let sphere = self.tree.sphere(child);
         let local = beam.local;
         let mut t_max = local.range[1];
-        let range = [&local.range[0], &t_max];
+        let range = [&local.range[0], &local.range[1]];
         let passages = Passages::new(sphere, &local.origin, &local.direction, range);
         let mut hit = passages.hits & rays;
         let open = rays & !hit;
-        let found = |ray: usize, _, _, _: &mut Numbers| hit |= 1_u32 << ray;
+        let found = |ray: usize, _, _, t_max: &mut Numbers| {
+            hit |= 1_u32 << ray;
+            t_max[ray] = f64::NEG_INFINITY;
+        };
         let mut rest = beam.intersect_sphere(simd, sphere, &passages, open, &mut t_max, found);
         while rest != 0 {
             let ray = rest.trailing_zeros() as usize % BUNDLE;

@@ -115,6 +115,12 @@ impl LocalBundle {
                 local.start[axis][ray] = from + direction * local.enter[ray];
             }
         }
+        for ray in 0..BUNDLE {
+            let [x, y, z] = &local.start;
+            let start = x[ray].abs() + y[ray].abs() + z[ray].abs();
+            // False for NaN.
+            local.is_finite &= (rays.mask >> ray & 1 == 0) | (start < f64::from(f32::MAX));
+        }
         let mut reached = 0;
         for ray in 0..BUNDLE {
             // False for NaN.

@@ -9,7 +9,7 @@ pub struct Passage {
     pub origin: Vec3,
     pub direction: Vec3,
     pub margin: f64,
-    /// Where it is next to the centre, and half of what of it is in the outer sphere, and in the inner
+    /// Where it is nearest to the centre, half its chord in the outer sphere, and half that in the inner
     /// one, negative if it does not meet that.
     pub middle: f64,
     pub outer: f64,

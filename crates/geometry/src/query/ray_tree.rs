@@ -173,7 +173,8 @@ impl RayTree {
             return self;
         }
         if self.triangles.get().is_none() {
-            // Not while others wait: it is made by several threads.
+            // No `get_or_init`: it is made by several threads, one of which could ask for it
+            // meanwhile and wait for itself.
             let _ = self.triangles.set(Box::new(self.with_all_triangles()));
         }
         self.triangles.get().expect("it was made")
@@ -211,7 +212,8 @@ impl RayTree {
     /// surface-area cost), over that when the tree was built: 1 for a new tree,
     /// and larger the less the mesh resembles the one it was built for.
     pub fn degradation(&self) -> f64 {
-        self.cost.degradation()
+        let of_triangles = self.triangles.get().map(|tree| tree.degradation());
+        self.cost.degradation().max(of_triangles.unwrap_or(0.0))
     }
 
     /// How many things of the mesh are searched as spheres.

@@ -38,10 +38,9 @@ impl<S: Simd> Beam<'_, S> {
             rays: [0; LANES],
             count: 0,
         };
-        // The nearer way first: whoever hits something there need not go on.
+        // The nearer way first: whoever hits something there does not reach the other.
         for number in 0..2 {
             let mut rest = open;
-            let mut hit = 0;
             while rest != 0 {
                 let ray = rest.trailing_zeros() as usize % t_max.len();
                 rest &= rest - 1;
@@ -63,21 +62,20 @@ impl<S: Simd> Beam<'_, S> {
                     pairs.rays[lane] = ray;
                     pairs.count += 1;
                     if pairs.count == LANES {
-                        hit |= self.intersect_pairs(simd, &pairs, t_max, &mut found);
+                        self.intersect_pairs(simd, &pairs, t_max, &mut found);
                         pairs.count = 0;
                     }
                 }
             }
             if pairs.count > 0 {
-                hit |= self.intersect_pairs(simd, &pairs, t_max, &mut found);
+                self.intersect_pairs(simd, &pairs, t_max, &mut found);
                 pairs.count = 0;
             }
-            open &= !hit;
         }
         unknown
     }
 
-    /// Calls `found` with each ray that hits its face; one bit for each of them.
+    /// Calls `found` with each ray that hits its face.
     #[inline(always)]
     fn intersect_pairs(
         &self,
@@ -85,18 +83,15 @@ impl<S: Simd> Beam<'_, S> {
         pairs: &Pairs,
         t_max: &mut Numbers,
         found: &mut impl FnMut(usize, u32, f64, &mut Numbers),
-    ) -> u32 {
+    ) {
         let hits = self.crossings(simd, &pairs.block, pairs.rays, pairs.count, t_max);
-        let mut hit = 0;
         let mut rest = hits.mask;
         while rest != 0 {
             let lane = rest.trailing_zeros() as usize % LANES;
             rest &= rest - 1;
             let (ray, t) = (pairs.rays[lane], hits.t[lane]);
-            hit |= 1 << ray;
             found(ray, pairs.block.face(lane), t, t_max);
         }
-        hit
     }
 }
 

@@ -157,6 +157,9 @@ fn bad_rays_do_not_harm_others() {
             let mut rays = beam(&ray, lane, [0.0, 0.05]);
             rays[lane].t_max = bad;
             check(&tree, &mesh, &rays, 0xffff);
+            let mut rays = beam(&ray, lane, [0.0, 0.05]);
+            rays[lane].t_min = bad;
+            check(&tree, &mesh, &rays, 0xffff);
         }
     }
 }
