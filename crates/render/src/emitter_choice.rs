@@ -62,8 +62,7 @@ impl EmitterChoice {
             light[i] = view * sampler.brightness;
             can_light[i] = f64::from(view > 0.0);
         }
-        let sums = [&light, &can_light].map(|numbers| numbers[..count].iter().sum());
-        let [all, lit]: [f64; 2] = sums;
+        let [all, lit] = [&light, &can_light].map(|numbers| numbers[..count].iter().sum::<f64>());
         // False for NaN, and where all are black.
         if all > 0.0 && all < f64::INFINITY {
             let mut parts = [0.0; MANY];

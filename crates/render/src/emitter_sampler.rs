@@ -69,7 +69,7 @@ impl EmitterSampler {
             DirectionSampler::Delta => {
                 let light = accel.delta_light(id, position);
                 light.map_or(0.0, |light| {
-                    light.factor * receiver.largest_cosine_in(light.direction)
+                    light.factor * receiver.cosine_in(light.direction)
                 })
             }
         }

@@ -12,7 +12,7 @@
 //! ([`capwalk_geometry::PacketTree`]): a ray that passes an edge within a millionth of the scene may
 //! find another face than it does in [`Tracer`]. Scenes in which that could be seen have bundles of rays
 //! ([`capwalk_geometry::Bundle`]), which find the same: those with thin faces, surfaces close to each
-//! other, or a camera so near that it is more than two thousandths of a pixel.
+//! other, or something so near in view that it is more than two thousandths of a pixel.
 
 mod alike;
 mod frames;

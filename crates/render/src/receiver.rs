@@ -39,8 +39,9 @@ impl Receiver {
         }
     }
 
-    /// [`Self::largest_cosine`] of a unit direction.
-    pub fn largest_cosine_in(&self, direction: Vec3) -> f64 {
+    /// The cosine between the shading normal and a unit direction, and a little more, as
+    /// [`Self::largest_cosine`] has it: 0 only if no light from there is reflected or transmitted.
+    pub fn cosine_in(&self, direction: Vec3) -> f64 {
         let cos = direction.dot(self.frame.n);
         let cos = if self.transmits { cos.abs() } else { cos };
         (cos + ROUNDING).clamp(0.0, 1.0)

@@ -10,20 +10,23 @@ type Plane = [Vec3; 2];
 /// How far the nearest face that the camera may see is from it, at least.
 pub fn nearest_in_view(accel: &Accel) -> f64 {
     let eye = accel.view.origin;
-    let planes = planes_of_view(accel);
-    let faces = (0..accel.mesh.faces.len()).map(|face| accel.mesh.corners(face));
-    let parts = faces.map(|face| planes.iter().fold(face.to_vec(), before));
-    let distances = parts.filter_map(|part| {
+    let frustum = frustum(accel);
+    let distances = (0..accel.mesh.faces.len()).filter_map(|face| {
+        let corners = accel.mesh.corners(face);
+        let part = frustum.iter().fold(corners.to_vec(), clipped);
         let low = part.iter().copied().reduce(Vec3::min)?;
         let high = part.iter().copied().reduce(Vec3::max)?;
-        // To the box around it.
-        Some((eye - eye.max(low).min(high)).length())
+        // To the box around it, or to its plane; not a number without area.
+        let to_box = (eye - eye.max(low).min(high)).length();
+        let normal = accel.mesh.face_cross(face).normalized();
+        Some(to_box.max(normal.dot(corners[0] - eye).abs()))
     });
     distances.fold(f64::INFINITY, f64::min)
 }
 
-/// The corners of the part of a convex polygon that is before a plane.
-fn before(polygon: Vec<Vec3>, &[point, normal]: &Plane) -> Vec<Vec3> {
+/// The corners of the part of a convex polygon on the side of a plane to which its normal points
+/// (Sutherland and Hodgman 1974).
+fn clipped(polygon: Vec<Vec3>, &[point, normal]: &Plane) -> Vec<Vec3> {
     let height = |p: Vec3| normal.dot(p - point);
     let mut part = Vec::with_capacity(polygon.len() + 1);
     for (i, &start) in polygon.iter().enumerate() {
@@ -39,9 +42,9 @@ fn before(polygon: Vec<Vec3>, &[point, normal]: &Plane) -> Vec<Vec3> {
     part
 }
 
-/// Planes before which, in the direction of their normals, everything lies that the camera sees;
-/// none if it may see things in mirrors, or looks from more than one point.
-fn planes_of_view(accel: &Accel) -> Vec<Plane> {
+/// The planes of the view frustum, normals inwards; none if the camera may see things in mirrors, or
+/// looks from more than one point.
+fn frustum(accel: &Accel) -> Vec<Plane> {
     let (scene, view) = (&accel.scene, &accel.view);
     let mut shapes = scene.shapes.iter();
     let sees_directly = matches!(scene.sensor.model, SensorModel::Perspective { .. })
@@ -51,20 +54,12 @@ fn planes_of_view(accel: &Accel) -> Vec<Plane> {
     }
     let film = &scene.film;
     let reach = film.filter.radius();
-    let ends = [0, 1].map(|axis| {
-        let start = f64::from(film.crop_offset[axis]);
-        [
-            start - reach,
-            start + f64::from(film.crop_size[axis]) + reach,
-        ]
+    let low = film.crop_offset.map(|start| f64::from(start) - reach);
+    let high = [0, 1].map(|axis| {
+        let end = film.crop_offset[axis] + film.crop_size[axis];
+        f64::from(end) + reach
     });
-    let [[left, right], [top, bottom]] = ends;
-    let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
-    let corners = corners.map(|corner| view.direction(corner));
-    let sides = [0, 1, 2, 3].map(|i| {
-        let normal = corners[i].cross(corners[(i + 1) % 4]);
-        let inwards = normal.dot(corners[(i + 2) % 4]);
-        [view.origin, normal * inwards.signum()]
-    });
-    sides.into_iter().chain([view.near_plane()]).collect()
+    let sides = view.side_planes(low, high);
+    let sides = sides.into_iter().map(|normal| [view.origin, normal]);
+    sides.chain([view.near_plane()]).collect()
 }

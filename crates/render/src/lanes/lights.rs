@@ -243,6 +243,8 @@ impl<'a> LaneLights<'a> {
                 rectangles |= 1 << lane;
             } else if kind.is_sky {
                 skies |= 1 << lane;
+            } else if kind.is_delta {
+                self.look_at_delta(lit.emitters[lane], vertices.position.get(lane), lane, lit);
             } else {
                 let u = [1, 2].map(|i| streams.number(lane, first + i));
                 let receiver = lobes.receiver(vertices, lane);
@@ -252,8 +254,22 @@ impl<'a> LaneLights<'a> {
         [rectangles, skies]
     }
 
-    /// Draws a direction towards an emitter that is neither a rectangle nor an environment map; of one
-    /// without extent the light is known then, too.
+    /// Finds the direction towards an emitter without extent, and with it the light from there.
+    fn look_at_delta(&self, emitter: EmitterId, position: Vec3, lane: usize, lit: &mut Lit) {
+        let Some(light) = self.accel.delta_light(emitter, position) else {
+            return;
+        };
+        let own = self.accel.scene.emitter(emitter);
+        let irradiance = irradiance_of(&Primal(self.accel), own, &light);
+        lit.radiance.set_colour(lane, irradiance);
+        lit.direction.set(lane, light.direction);
+        lit.range[1][lane] = light.distance;
+        lit.hits[lane] = None;
+        lit.mask |= 1 << lane;
+        lit.of_delta |= 1 << lane;
+    }
+
+    /// Draws a direction towards any other emitter.
     fn draw_one(
         &self,
         chosen: usize,
@@ -264,20 +280,6 @@ impl<'a> LaneLights<'a> {
         lit: &mut Lit,
     ) {
         let (emitter, sampler) = (EmitterId(chosen as u32), &self.samplers[chosen].directions);
-        if self.kinds[chosen].is_delta {
-            let Some(light) = self.accel.delta_light(emitter, receiver.position) else {
-                return;
-            };
-            let own = self.accel.scene.emitter(emitter);
-            let irradiance = irradiance_of(&Primal(self.accel), own, &light);
-            lit.radiance.set_colour(lane, irradiance);
-            lit.direction.set(lane, light.direction);
-            lit.range[1][lane] = light.distance;
-            lit.hits[lane] = None;
-            lit.mask |= 1 << lane;
-            lit.of_delta |= 1 << lane;
-            return;
-        }
         let drawn = TowardsEmitter::draw(self.accel, emitter, sampler, receiver, u);
         // False for no density, as well as for a direction that leads nowhere.
         let Some(drawn) = drawn.filter(|drawn| drawn.pdf > 0.0) else {

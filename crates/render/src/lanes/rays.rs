@@ -16,7 +16,7 @@ pub const ALL_BEHIND: [Numbers; 2] = [[0.0; LANES], [f64::INFINITY; LANES]];
 /// In scenes of more triangles, rays that were reflected at random have little in common.
 const MOST_FACES: usize = 1024;
 
-/// What lies in a plane is at most this part of a pixel where the nearest surface may be.
+/// What lies in a plane is at most this part of a pixel where the nearest surface in view may be.
 const NEAREST: f64 = 2e-3;
 
 /// How many levels of the tree take a ray of a packet an effort of one: measured on a diffuse room

@@ -282,6 +282,19 @@ impl View<f64> {
         [self.origin + self.axes[2] * self.clip[0], self.rows[2]]
     }
 
+    /// Normals, of any length, of the planes through the camera between which film points from `low` to
+    /// `high` look; they point inwards. Only for rays that are not parallel.
+    pub fn side_planes(&self, low: [f64; 2], high: [f64; 2]) -> [Vec3; 4] {
+        let [x, y, z] = self.rows;
+        let slope = |axis: usize, film: f64| (self.centre[axis] - film) / self.focal;
+        [
+            z * slope(0, low[0]) - x,
+            x - z * slope(0, high[0]),
+            z * slope(1, low[1]) - y,
+            y - z * slope(1, high[1]),
+        ]
+    }
+
     /// Depths of the near and the far plane.
     pub fn clip(&self) -> [f64; 2] {
         self.clip
