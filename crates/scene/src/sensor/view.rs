@@ -385,4 +385,38 @@ mod tests {
             assert!((focused(lens) - middle).length() < 1e-12);
         }
     }
+
+    /// Film points between the limits look between the side planes, and those beyond a limit beyond its
+    /// plane; also of cameras that mirror or have their axis elsewhere.
+    #[test]
+    fn side_planes_are_those_of_film_points() {
+        let (sensors, film) = sensors();
+        let (low, high) = ([3.0, -2.0], [11.5, 7.0]);
+        let parts = [-0.01, 0.0, 0.4, 1.0, 1.01];
+        let mut seen = 0;
+        for sensor in sensors {
+            let view = sensor.view(&film);
+            if view.is_parallel() {
+                continue;
+            }
+            let planes = view.side_planes(low, high);
+            for (s, t) in parts.into_iter().flat_map(|s| parts.map(|t| (s, t))) {
+                let point = [0, 1].map(|axis| {
+                    let part = [s, t][axis];
+                    low[axis] + part * (high[axis] - low[axis])
+                });
+                let direction = view.direction(point);
+                let margins = [s, 1.0 - s, t, 1.0 - t];
+                for (plane, margin) in planes.iter().zip(margins) {
+                    let height = plane.dot(direction);
+                    match margin == 0.0 {
+                        true => assert!(height.abs() < 1e-12 * plane.length(), "{height}"),
+                        false => assert_eq!(height > 0.0, margin > 0.0, "{point:?}"),
+                    }
+                }
+                seen += 1;
+            }
+        }
+        assert!(seen >= 50, "{seen}");
+    }
 }
