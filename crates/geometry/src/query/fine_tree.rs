@@ -47,12 +47,7 @@ pub fn fine_tree(all: Pieces<'_>, pieces: Vec<u32>, halt: &Halt) -> TriangleTree
     let frame = all.frame(&pieces);
     let hierarchy = all.hierarchy(pieces, &frame, halt);
     let leaf_bounds: Vec<Aabb> = (0..hierarchy.leaf_count())
-        .map(|leaf| {
-            let own = hierarchy.leaf(leaf).iter();
-            own.fold(Aabb::EMPTY, |bounds, &piece| {
-                bounds.union(&all.bounds(&frame, piece))
-            })
-        })
+        .map(|leaf| all.leaf_bounds(&frame, hierarchy.leaf(leaf)))
         .collect();
     let mut cut = Cut {
         all,

@@ -44,8 +44,15 @@ impl<'a> Pieces<'a> {
     }
 
     /// The box around one.
-    pub fn bounds(&self, frame: &LocalFrame, piece: u32) -> Aabb {
+    fn bounds(&self, frame: &LocalFrame, piece: u32) -> Aabb {
         Aabb::around(self.ends(piece).map(|p| frame.local_from_world(p)))
+    }
+
+    /// The box around those of a leaf.
+    pub fn leaf_bounds(&self, frame: &LocalFrame, leaf: &[u32]) -> Aabb {
+        leaf.iter().fold(Aabb::EMPTY, |bounds, &piece| {
+            bounds.union(&self.bounds(frame, piece))
+        })
     }
 
     /// A tree over some of them.

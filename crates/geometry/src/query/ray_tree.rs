@@ -17,7 +17,6 @@ use super::ray_kernel::{RayNode, TriangleBlock};
 use super::ray_search::{FirstHit, Occluded};
 use super::sphere::Sphere;
 use super::triangle_tree::{Part, SpherePart, TriangleTree};
-use crate::aabb::Aabb;
 use crate::bvh::{Child, ChildKind, Hierarchy, SurfaceCost, child_bounds};
 use crate::effort::{RAY, add_effort_of};
 use crate::halt::{Halt, Halted};
@@ -134,14 +133,11 @@ impl RayTree {
             .with_min_len(256)
             .map(|leaf| {
                 let own = hierarchy.leaf(leaf);
-                let bounds = own.iter().fold(Aabb::EMPTY, |bounds, &piece| {
-                    bounds.union(&pieces.bounds(frame, piece))
-                });
                 let block = match pieces.sphere_in(own) {
                     None => TriangleBlock::new(mesh, own),
                     Some(_) => TriangleBlock::EMPTY,
                 };
-                (block, bounds)
+                (block, pieces.leaf_bounds(frame, own))
             })
             .unzip_into_vecs(&mut self.flat.leaves, &mut leaf_bounds);
         let bounds = child_bounds(hierarchy, &leaf_bounds);

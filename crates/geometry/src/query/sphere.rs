@@ -181,14 +181,14 @@ impl Sphere {
         block
     }
 
-    /// How a line passes it, without a branch.
+    /// How a line in the world passes it, without a branch.
     #[inline(always)]
-    pub fn passage(&self, origin: Vec3, way: Vec3) -> Passage {
+    pub fn passage(&self, origin: Vec3, world_direction: Vec3) -> Passage {
         let from = origin - self.centre;
         let distance = from.x.abs() + from.y.abs() + from.z.abs();
         let margin = MARGIN[0] + MARGIN[1] * (self.stretch * distance + self.reach);
         let origin = times(self.rows, from);
-        let direction = times(self.rows, way);
+        let direction = times(self.rows, world_direction);
         let square = direction.length_squared();
         let middle = -origin.dot(direction) / square;
         let nearest = (origin + direction * middle).length_squared();
@@ -199,7 +199,7 @@ impl Sphere {
         let per_length = 1.0 / speed;
         // Distances along rays are measured along the axis on which they are fastest in the world;
         // along it the sphere is so long, in units of its own.
-        let (x, y, z) = (way.x.abs(), way.y.abs(), way.z.abs());
+        let Vec3 { x, y, z } = world_direction.map(f64::abs);
         let is_x = (x >= y) & (x >= z);
         let is_y = y >= z;
         let (half_yz, fastest_yz) = if is_y {

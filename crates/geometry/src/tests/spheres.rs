@@ -2,14 +2,9 @@
 
 use capwalk_math::{Affine, Vec3};
 
-use super::bundles;
+use super::bundles::{self, spread};
 use super::rays;
 use crate::{Apex, Mesh, Ray, RayTree, Wedge, icosphere, oracle};
-
-/// Numbers between -1 and 1 that are spread evenly, by a number of their own.
-fn spread(i: usize) -> Vec3 {
-    bundles::spread(i)
-}
 
 /// Icospheres under affine maps: round ones, stretched and mirrored, far away, small and large;
 /// between them a few triangles.
