@@ -36,7 +36,7 @@ pub use mesh::{Mesh, MeshError};
 pub use query::buffers;
 pub use query::{
     BUNDLE, Bundle, ConeQuery, EdgeSelection, EdgeSubset, HalfSpace, PacketTree, RayTree,
-    SilhouettePoint, SilhouetteTree,
+    SilhouettePoint, SilhouetteTree, Sphere,
 };
 pub use ray::{Hit, Ray};
 pub use shown::shown;

@@ -16,5 +16,9 @@ mod pair;
 mod scalar;
 mod vectors;
 
+#[cfg(target_arch = "x86_64")]
+pub use avx2::prefetch;
 pub use instructions::Instructions;
+#[cfg(not(target_arch = "x86_64"))]
+pub use scalar::prefetch;
 pub use vectors::{Computation, ESTIMATE_ERROR, F32x8, F32x16, F64x4, Lanes, Simd};

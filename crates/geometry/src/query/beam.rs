@@ -4,7 +4,7 @@
 
 use super::bundle::BUNDLE;
 use super::local_bundle::{LocalBundle, Numbers, Singles, axes_to};
-use super::ray_kernel::{Crossing, LANES, RayNode, TriangleBlock, crossing};
+use super::ray_kernel::{Crossing, RayNode, TriangleBlock, crossing};
 use crate::bvh::{VisitOfRays, WIDTH};
 use crate::ray::PLANE_MARGIN;
 use crate::simd::{F32x8, F32x16, F64x4, Lanes, Simd};
@@ -27,13 +27,6 @@ struct SlabOfRays<S: Simd> {
     /// `start / direction`.
     offset: S::F32x16,
     all: Option<AllRays>,
-}
-
-/// Which of four pairs of a ray and a triangle meet, and where.
-pub struct PairHits {
-    /// One bit for each that does.
-    pub mask: u32,
-    pub t: [f64; LANES],
 }
 
 /// What is common to rays that move the same way along an axis.
@@ -184,55 +177,6 @@ impl<'a, S: Simd> Beam<'a, S> {
                 let ray = hits.trailing_zeros() as usize % OF_F64;
                 hits &= hits - 1;
                 found(OF_F64 * part + ray, t[ray], t_max);
-            }
-        }
-    }
-
-    /// Which of some rays, each with the triangle of its lane, hit that no farther than at their
-    /// `t_max`: exactly [`TriangleBlock::intersect`], operation by operation.
-    #[inline(always)]
-    pub fn crossings(
-        &self,
-        simd: S,
-        block: &TriangleBlock,
-        rays: [usize; LANES],
-        count: usize,
-        t_max: &Numbers,
-    ) -> PairHits {
-        let asked = (1 << count) - 1;
-        let [i, j, k] = self.axes;
-        let LocalBundle { origin, shears, .. } = self.local;
-        let of_rays = |numbers: &Numbers| {
-            let [a, b, c, d] = rays;
-            [numbers[a], numbers[b], numbers[c], numbers[d]]
-        };
-        let (ox, oy, oz) = (
-            of_rays(&origin[i]),
-            of_rays(&origin[j]),
-            of_rays(&origin[k]),
-        );
-        let (sx, sy) = (of_rays(&shears[0]), of_rays(&shears[1]));
-        let (inverse_z, range) = (of_rays(&self.local.inverse_z), &self.local.range[0]);
-        let (t_min, t_max) = (of_rays(range), of_rays(t_max));
-        let mut corners = [[simd.splat_f64(0.0); 3]; 3];
-        for (own, corner) in corners.iter_mut().zip(&block.corners) {
-            let z = simd.load_f64(&corner[k]) - simd.load_f64(&oz);
-            let x = simd.load_f64(&corner[i]) - simd.load_f64(&ox);
-            let y = simd.load_f64(&corner[j]) - simd.load_f64(&oy);
-            *own = [x - simd.load_f64(&sx) * z, y - simd.load_f64(&sy) * z, z];
-        }
-        let inverse_z = simd.load_f64(&inverse_z);
-        match crossing(simd, corners, inverse_z, asked) {
-            None => PairHits {
-                mask: 0,
-                t: [0.0; LANES],
-            },
-            Some(Crossing { inside, t, .. }) => {
-                let in_range = simd.load_f64(&t_min).le(t) & t.le(simd.load_f64(&t_max));
-                PairHits {
-                    mask: inside & in_range,
-                    t: t.to_array(),
-                }
             }
         }
     }

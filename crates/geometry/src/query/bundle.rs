@@ -1,5 +1,9 @@
 //! Sixteen rays at a time, as they are asked for.
 
+use capwalk_math::Vec3;
+
+use crate::ray::Ray;
+
 /// Rays in a bundle.
 pub const BUNDLE: usize = 16;
 
@@ -17,4 +21,27 @@ pub struct Bundle<'a> {
     pub range: [&'a [f64; BUNDLE]; 2],
     /// One bit for each ray.
     pub mask: u32,
+}
+
+impl Bundle<'_> {
+    /// The direction of a ray.
+    #[inline(always)]
+    pub(super) fn direction_of(&self, ray: usize) -> Vec3 {
+        vector(self.direction, ray)
+    }
+
+    /// A ray, up to a distance.
+    pub(super) fn ray(&self, ray: usize, t_max: f64) -> Ray {
+        Ray {
+            origin: vector(self.origin, ray),
+            direction: self.direction_of(ray),
+            t_min: self.range[0][ray],
+            t_max,
+        }
+    }
+}
+
+#[inline(always)]
+fn vector(numbers: &[[f64; BUNDLE]; 3], ray: usize) -> Vec3 {
+    Vec3::new(numbers[0][ray], numbers[1][ray], numbers[2][ray])
 }

@@ -5,13 +5,13 @@
 
 use super::beam::Beam;
 use super::bundle::{BUNDLE, Bundle, NO_FACE};
-use super::local_bundle::{LocalBundle, Numbers};
+use super::local_bundle::LocalBundle;
 use super::ray_kernel::TriangleBlock;
 use super::ray_search::{FirstHit, Occluded};
-use super::sphere_beam::Passages;
+use super::sphere_bundle::RaysToSphere;
 use super::triangle_tree::TriangleTree;
 use crate::bvh::{Child, ChildKind, Stack, VisitOfRays};
-use crate::ray::Hit;
+use crate::ray::{Hit, RayShear};
 use crate::simd::{Computation, F32x16, Instructions, Simd};
 
 /// So few rays are traced one by one.
@@ -141,19 +141,14 @@ impl FirstHits<'_> {
         best: &mut Best,
         limits: &mut [f32; BUNDLE],
     ) {
-        let sphere = self.tree.sphere(child);
-        let local = beam.local;
-        let range = [&local.range[0], &best.t];
-        let passages = Passages::new(sphere, &local.origin, &local.direction, range);
-        let faces = &mut best.faces;
-        let found = |ray: usize, face, t, t_max: &mut Numbers| {
-            if (t, face) < (t_max[ray], faces[ray]) {
-                t_max[ray] = t;
-                faces[ray] = face;
-                limits[ray] = local.limit(ray, t);
-            }
-        };
-        let mut rest = beam.intersect_sphere(simd, sphere, &passages, rays, &mut best.t, found);
+        let (sphere, local) = (self.tree.sphere(child), beam.local);
+        let [mut hit, mut rest] =
+            to_sphere(local).first_hits(simd, sphere, rays, &mut best.t, &mut best.faces);
+        while hit != 0 {
+            let ray = hit.trailing_zeros() as usize % BUNDLE;
+            hit &= hit - 1;
+            limits[ray] = local.limit(ray, best.t[ray]);
+        }
         while rest != 0 {
             let ray = rest.trailing_zeros() as usize % BUNDLE;
             rest &= rest - 1;
@@ -278,18 +273,8 @@ impl OccludedRays<'_> {
     /// One bit for each of some rays that hits a sphere.
     #[inline(always)]
     fn sphere<S: Simd>(&self, simd: S, beam: &Beam<'_, S>, child: Child, rays: u32) -> u32 {
-        let sphere = self.tree.sphere(child);
-        let local = beam.local;
-        let mut t_max = local.range[1];
-        let range = [&local.range[0], &local.range[1]];
-        let passages = Passages::new(sphere, &local.origin, &local.direction, range);
-        let mut hit = passages.hits & rays;
-        let open = rays & !hit;
-        let found = |ray: usize, _, _, t_max: &mut Numbers| {
-            hit |= 1_u32 << ray;
-            t_max[ray] = f64::NEG_INFINITY;
-        };
-        let mut rest = beam.intersect_sphere(simd, sphere, &passages, open, &mut t_max, found);
+        let (sphere, local) = (self.tree.sphere(child), beam.local);
+        let [mut hit, mut rest] = to_sphere(local).occluded(simd, sphere, rays, &local.range[1]);
         while rest != 0 {
             let ray = rest.trailing_zeros() as usize % BUNDLE;
             rest &= rest - 1;
@@ -307,5 +292,16 @@ impl OccludedRays<'_> {
             ray: &local.ray(ray, self.rays.range[1][ray]),
         };
         search.below(simd, &local.local_ray(simd, ray), child)
+    }
+}
+
+/// The rays, for spheres.
+#[inline(always)]
+fn to_sphere(local: &LocalBundle) -> RaysToSphere<'_, impl Fn(usize) -> RayShear> {
+    RaysToSphere {
+        origin: &local.origin,
+        direction: &local.direction,
+        t_min: &local.range[0],
+        shear: |ray| local.shear(ray),
     }
 }

@@ -166,19 +166,24 @@ impl LocalBundle {
         }
     }
 
-    /// A ray in the tree's coordinates.
+    /// The shear of a ray.
     #[inline(always)]
-    pub fn local_ray<S: Simd>(&self, simd: S, ray: usize) -> LocalRay<S> {
+    pub fn shear(&self, ray: usize) -> RayShear {
         let fastest = match [self.fastest[0], self.fastest[1]].map(|rays| rays >> ray & 1) {
             [1, _] => 0,
             [_, 1] => 1,
             _ => 2,
         };
-        let shear = RayShear {
+        RayShear {
             axes: axes_to(fastest),
             shear: [self.shears[0][ray], self.shears[1][ray]],
             inverse_z: self.inverse_z[ray],
-        };
+        }
+    }
+
+    /// A ray in the tree's coordinates.
+    #[inline(always)]
+    pub fn local_ray<S: Simd>(&self, simd: S, ray: usize) -> LocalRay<S> {
         let (start, inverse) = (vector(&self.start, ray), vector(&self.inverse, ray));
         let margin = self.margin[ray];
         let within = Within {
@@ -191,7 +196,7 @@ impl LocalBundle {
             local_per_world: self.local_per_world[ray],
             margin,
         };
-        LocalRay::within(simd, shear, vector(&self.origin, ray), &within)
+        LocalRay::within(simd, self.shear(ray), vector(&self.origin, ray), &within)
     }
 
     /// [`LocalRay::limit`] of a ray.

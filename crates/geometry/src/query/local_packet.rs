@@ -19,6 +19,8 @@ pub struct LocalPacket<S: Simd> {
     pub direction: [S::F32x16; 3],
     /// Distances from there at which they end; negative for those that are not asked for.
     pub end: S::F32x16,
+    /// At which distances they start or enter the tree, in its units.
+    enter: [f64; BUNDLE],
 }
 
 impl<S: Simd> LocalPacket<S> {
@@ -62,7 +64,20 @@ impl<S: Simd> LocalPacket<S> {
             origin: load(simd, &origin),
             direction: load(simd, &direction),
             end: simd.load_16(&end),
+            enter,
         }
+    }
+
+    /// The distance in the world at one from where a ray starts or enters the tree.
+    #[inline(always)]
+    pub fn distance_in_world(&self, frame: &LocalFrame, ray: usize, distance: f32) -> f64 {
+        (f64::from(distance) + self.enter[ray]) * frame.scale
+    }
+
+    /// The distance from there at one in the world.
+    #[inline(always)]
+    pub fn distance_in_tree(&self, frame: &LocalFrame, ray: usize, t: f64) -> f32 {
+        (t * frame.inverse_scale - self.enter[ray]) as f32
     }
 
     /// The points at distances along the rays.

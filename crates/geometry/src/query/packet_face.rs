@@ -51,25 +51,27 @@ struct Beyond {
 }
 
 impl PacketFace {
-    /// All faces of a mesh, and for each its number among them; those without area have none.
-    pub fn all(mesh: &Mesh, frame: &LocalFrame) -> (Vec<Self>, Vec<Option<u32>>) {
-        let count = mesh.faces.len();
-        let corners = (0..count).map(|face| mesh.corners(face));
-        let corners: Vec<_> = corners
-            .map(|corners| corners.map(|p| frame.local_from_world(p)))
-            .collect();
-        let mut numbers = vec![None; count];
+    /// Some faces of a mesh, and for each face of it its number among them; those without area have
+    /// none.
+    pub fn all(mesh: &Mesh, some: &[u32], frame: &LocalFrame) -> (Vec<Self>, Vec<Option<u32>>) {
+        let corners_of = |&face: &u32| mesh.corners(face as usize);
+        let local = |corners: [Vec3; 3]| corners.map(|p| frame.local_from_world(p));
+        let corners: Vec<_> = some.iter().map(corners_of).map(local).collect();
+        let mut numbers = vec![None; mesh.faces.len()];
         let mut all = Vec::new();
-        for face in 0..count {
+        for (i, &face) in some.iter().enumerate() {
+            let face = face as usize;
             if numbers[face].is_some() {
                 continue;
             }
-            let others = (face + 1..count).filter(|&other| numbers[other].is_none());
-            let mut pairs = others.filter_map(|other| {
-                let turned = parallelogram(corners[face], corners[other])?;
+            let others = some.iter().zip(&corners).skip(i + 1);
+            let mut pairs = others.filter_map(|(&other, &their)| {
+                let other = other as usize;
+                let is_free = numbers[other].is_none();
+                let turned = is_free.then(|| parallelogram(corners[i], their))??;
                 Some((turned, Some(other)))
             });
-            let (corners, other) = pairs.next().unwrap_or((corners[face], None));
+            let (corners, other) = pairs.next().unwrap_or((corners[i], None));
             if let Some(made) = Self::new(corners, face, other) {
                 let number = Some(all.len() as u32);
                 numbers[face] = number;

@@ -10,18 +10,25 @@
 //! in it. Rays do not meet the planes in which they start, nor segments those in which they end,
 //! and triangles are larger by as much, so that nothing shines through between neighbours. That is for
 //! scenes in which so much is nothing: [`PacketTree::resolves`].
+//!
+//! Spheres are to packets what they are to single rays: their faces are met in double precision, also
+//! by rays that start or end on them.
 
 use capwalk_math::Vec3;
 
-use super::bundle::{BUNDLE, Bundle};
+use super::bundle::{BUNDLE, Bundle, NO_FACE};
 use super::local_packet::{LocalPacket, Slabs};
 use super::packet_face::PacketFace;
 use super::packet_precision::{IN_PLANE, MOST_OUT};
 use super::ray_kernel::RayNode;
+use super::ray_search;
 use super::ray_tree::RayTree;
+use super::sphere_bundle::RaysToSphere;
+use super::triangle_tree::{Part, SpherePart};
 use crate::bvh::{Child, ChildKind, Stack};
 use crate::local_frame::LocalFrame;
 use crate::mesh::Mesh;
+use crate::ray::{Hit, RayShear};
 use crate::simd::{Computation, F32x16, Instructions, Lanes, Simd};
 
 /// How many times [`IN_PLANE`] the altitudes of triangles must be.
@@ -35,8 +42,8 @@ const IN_ONE_PLANE: f64 = 1e-3;
 /// Sine of the angle between planes that are nearly parallel.
 const NEARLY_PARALLEL: f64 = 0.01;
 
-/// So many faces are asked one after the other, without boxes.
-const FEW_FACES: usize = 24;
+/// So many faces and spheres are asked one after the other, without boxes.
+const FEW_PIECES: usize = 24;
 
 /// Faces are numbered in single precision.
 const MOST_FACES: usize = 1 << 24;
@@ -50,6 +57,8 @@ pub struct PacketTree {
     faces: Vec<PacketFace>,
     /// Where the faces of each leaf start, and at last where they all end.
     leaf_starts: Vec<u32>,
+    /// They have the numbers of leaves behind those.
+    spheres: Vec<SpherePart>,
     instructions: Instructions,
 }
 
@@ -57,13 +66,20 @@ impl PacketTree {
     /// The tree of a mesh, from that for its rays.
     pub fn new(rays: &RayTree, mesh: &Mesh) -> Self {
         let frame = tight(&rays.flat.frame, mesh);
-        let (faces, numbers) = PacketFace::all(mesh, &frame);
-        let is_small = faces.len() <= FEW_FACES;
+        let (faces, numbers) = PacketFace::all(mesh, &rays.single_faces(), &frame);
+        let parts = rays.flat.parts.iter();
+        let spheres = parts.filter_map(|part| match part {
+            Part::Sphere(sphere) => Some(sphere.clone()),
+            Part::Tree(_) => None,
+        });
+        let spheres: Vec<_> = spheres.collect();
+        let is_small = faces.len() + spheres.len() <= FEW_PIECES;
         let tree = Self {
             frame,
             nodes: Vec::new(),
             leaf_starts: vec![0],
             faces,
+            spheres,
             instructions: Instructions::detect(),
         };
         match is_small {
@@ -75,9 +91,9 @@ impl PacketTree {
     /// This tree with the nodes of a tree for rays. A parallelogram is in the leaves of both its
     /// triangles, each of whose boxes has its own.
     fn with_nodes(mut self, rays: &RayTree, numbers: &[Option<u32>]) -> Self {
-        let rays = rays.without_spheres();
         let all = std::mem::take(&mut self.faces);
         for leaf in 0..rays.hierarchy.leaf_count() {
+            // None of a sphere.
             let faces = rays.hierarchy.leaf(leaf).iter();
             let mut own: Vec<u32> = faces.filter_map(|&face| numbers[face as usize]).collect();
             own.sort_unstable();
@@ -98,15 +114,17 @@ impl PacketTree {
         self
     }
 
-    /// True if single precision resolves this mesh, from which the tree was made: no triangle is thin
+    /// True if single precision resolves these triangles, all from which the tree was made but those of
+    /// spheres: no triangle is thin
     /// beside what lies in a plane or has a very sharp corner, and no two that are nearly parallel are nearly,
     /// but not quite, in one plane where their boxes meet. Takes time in proportion to the square of
     /// their number.
-    pub fn resolves(&self, mesh: &Mesh) -> bool {
-        let corners: Vec<[Vec3; 3]> = (0..mesh.faces.len()).map(|i| mesh.corners(i)).collect();
-        let normals: Vec<Vec3> = (0..mesh.faces.len())
-            .map(|i| mesh.face_cross(i).normalized())
-            .collect();
+    pub fn resolves(&self, rays: &RayTree, mesh: &Mesh) -> bool {
+        let single = rays.single_faces();
+        let corners = single.iter().map(|&face| mesh.corners(face as usize));
+        let corners: Vec<[Vec3; 3]> = corners.collect();
+        let crosses = single.iter().map(|&face| mesh.face_cross(face as usize));
+        let normals: Vec<Vec3> = crosses.map(Vec3::normalized).collect();
         let in_plane = self.in_plane();
         let is_thick = |&[a, b, c]: &[Vec3; 3]| {
             let sides = [b - a, c - b, a - c];
@@ -140,7 +158,7 @@ impl PacketTree {
             let shared = heights.iter().filter(is_in_plane).count();
             most < IN_ONE_PLANE * in_plane || least > APART * in_plane || shared == 2
         };
-        corners.len() <= MOST_FACES
+        mesh.faces.len() <= MOST_FACES
             && corners.iter().all(is_thick)
             && (0..corners.len()).all(|i| (0..i).all(|k| are_apart(i, k) && are_apart(k, i)))
     }
@@ -178,19 +196,39 @@ impl PacketTree {
     /// The tree with boxes however few the faces are, and without however many they are.
     #[cfg(test)]
     pub fn deep_and_flat(&self, rays: &RayTree, mesh: &Mesh) -> [Self; 2] {
-        let (faces, numbers) = PacketFace::all(mesh, &self.frame);
+        let (faces, numbers) = PacketFace::all(mesh, &rays.single_faces(), &self.frame);
         let flat = Self {
             nodes: Vec::new(),
             leaf_starts: vec![0],
             faces,
-            ..*self
+            ..self.clone()
         };
         [flat.clone().with_nodes(rays, &numbers), flat]
     }
 
     #[inline(always)]
-    fn leaf(&self, leaf: usize) -> &[PacketFace] {
-        &self.faces[self.leaf_starts[leaf] as usize..self.leaf_starts[leaf + 1] as usize]
+    fn leaf(&self, leaf: usize) -> Leaf<'_> {
+        match self.leaf_starts.get(leaf + 1) {
+            Some(&end) => Leaf::Faces(&self.faces[self.leaf_starts[leaf] as usize..end as usize]),
+            None => Leaf::Sphere(&self.spheres[leaf + 1 - self.leaf_starts.len()]),
+        }
+    }
+}
+
+/// What a leaf has.
+enum Leaf<'a> {
+    Faces(&'a [PacketFace]),
+    Sphere(&'a SpherePart),
+}
+
+/// The rays of a packet, for spheres.
+#[inline(always)]
+fn to_sphere<'a>(packet: &'a Bundle<'_>) -> RaysToSphere<'a, impl Fn(usize) -> RayShear> {
+    RaysToSphere {
+        origin: packet.origin,
+        direction: packet.direction,
+        t_min: packet.range[0],
+        shear: |ray| RayShear::new(packet.direction_of(ray)).expect("it passes the sphere"),
     }
 }
 
@@ -208,11 +246,20 @@ fn tight(frame: &LocalFrame, mesh: &Mesh) -> LocalFrame {
     }
 }
 
-/// The nearest faces so far.
+/// The nearest faces so far. Of equally near ones, as far as single precision tells, faces of spheres
+/// count before others, and then the lowest, so that the order does not matter in which they are asked.
 struct Nearest<S: Simd> {
     distance: S::F32x16,
-    /// Their numbers; infinite where there is none.
+    /// Their numbers, infinite where there is none, and [`of_sphere`] for those of spheres.
     face: S::F32x16,
+    /// Where rays end in the world, or hit the nearest face of a sphere.
+    t: [f64; BUNDLE],
+}
+
+/// What stands for the number of a face of a sphere, and for that its number: less than any other.
+#[inline(always)]
+fn of_sphere(number: f32) -> f32 {
+    -1.0 - number
 }
 
 impl<S: Simd> Nearest<S> {
@@ -222,7 +269,6 @@ impl<S: Simd> Nearest<S> {
     fn ask(&mut self, simd: S, rays: &LocalPacket<S>, face: &PacketFace) -> bool {
         let met = face.plane(simd, rays);
         let (number, is_inside) = face.at(simd, rays, met.distance);
-        // Of equally near ones the lowest face counts.
         let is_lower = met.distance.le(self.distance) & number.lt(self.face);
         let is_before = met.distance.lt(self.distance) | is_lower;
         let mask = met.mask & is_inside & is_before;
@@ -230,11 +276,80 @@ impl<S: Simd> Nearest<S> {
         self.face = self.face.replaced(mask, number);
         mask != 0
     }
+
+    /// Asks a sphere; true if it is nearer for any ray.
+    #[inline(always)]
+    fn ask_sphere(
+        &mut self,
+        simd: S,
+        rays: &LocalPacket<S>,
+        search: &FirstHits<'_>,
+        part: &SpherePart,
+    ) -> bool {
+        let frame = &search.tree.frame;
+        let (mut distance, mut numbers) = (self.distance.to_array(), self.face.to_array());
+        let mut t_max = self.t;
+        let mut faces = [NO_FACE; BUNDLE];
+        for ray in 0..BUNDLE {
+            // What is as near in single precision may be a little farther.
+            let end = rays.distance_in_world(frame, ray, distance[ray].next_up());
+            let is_on_sphere = numbers[ray] < 0.0;
+            (t_max[ray], faces[ray]) = match is_on_sphere {
+                true => (t_max[ray], of_sphere(numbers[ray]) as u32),
+                false => (t_max[ray].min(end), NO_FACE),
+            };
+        }
+        let asked = simd.splat_16(0.0).le(rays.end);
+        let to_sphere = to_sphere(search.packet);
+        let [mut hit, mut unknown] =
+            to_sphere.first_hits(simd, &part.sphere, asked, &mut t_max, &mut faces);
+        while unknown != 0 {
+            let ray = unknown.trailing_zeros() as usize % BUNDLE;
+            unknown &= unknown - 1;
+            if let Some(found) = search.alone(part, ray, t_max[ray])
+                && (found.t, found.face) < (t_max[ray], faces[ray])
+            {
+                (t_max[ray], faces[ray]) = (found.t, found.face);
+                hit |= 1 << ray;
+            }
+        }
+        let mut nearer = 0;
+        while hit != 0 {
+            let ray = hit.trailing_zeros() as usize % BUNDLE;
+            hit &= hit - 1;
+            let at = rays.distance_in_tree(frame, ray, t_max[ray]);
+            if at <= distance[ray] {
+                self.t[ray] = t_max[ray];
+                distance[ray] = at;
+                numbers[ray] = of_sphere(faces[ray] as f32);
+                nearer |= 1 << ray;
+            }
+        }
+        if nearer != 0 {
+            self.distance = simd.load_16(&distance);
+            self.face = simd.load_16(&numbers);
+        }
+        nearer != 0
+    }
 }
 
 struct FirstHits<'a> {
     tree: &'a PacketTree,
     packet: &'a Bundle<'a>,
+}
+
+impl FirstHits<'_> {
+    /// The nearest hit of one ray on a sphere.
+    #[cold]
+    fn alone(&self, part: &SpherePart, ray: usize, t_max: f64) -> Option<Hit> {
+        let instructions = self.tree.instructions;
+        instructions.run(ray_search::FirstHit {
+            tree: part.tree(),
+            instructions,
+            ray: &self.packet.ray(ray, t_max),
+            before: None,
+        })
+    }
 }
 
 impl Computation for FirstHits<'_> {
@@ -246,10 +361,14 @@ impl Computation for FirstHits<'_> {
         let mut nearest = Nearest {
             distance: rays.end,
             face: simd.splat_16(f32::INFINITY),
+            t: *self.packet.range[1],
         };
         if tree.nodes.is_empty() {
             for face in &tree.faces {
                 nearest.ask(simd, &rays, face);
+            }
+            for part in &tree.spheres {
+                nearest.ask_sphere(simd, &rays, &self, part);
             }
         } else {
             let slabs = Slabs::new(simd, &rays);
@@ -263,18 +382,26 @@ impl Computation for FirstHits<'_> {
                         stack.push_sorted(mask, &near, &node.children);
                     }
                     Some(ChildKind::Leaf(leaf)) => {
-                        for face in tree.leaf(leaf) {
-                            if nearest.ask(simd, &rays, face) {
-                                farthest = nearest.distance.largest();
-                            }
+                        let is_nearer = match tree.leaf(leaf) {
+                            Leaf::Faces(faces) => faces.iter().fold(false, |is_nearer, face| {
+                                nearest.ask(simd, &rays, face) | is_nearer
+                            }),
+                            Leaf::Sphere(part) => nearest.ask_sphere(simd, &rays, &self, part),
+                        };
+                        if is_nearer {
+                            farthest = nearest.distance.largest();
                         }
                     }
                     None => {}
                 }
             }
         }
+        let number_of = |number: f32| match number < 0.0 {
+            true => of_sphere(number),
+            false => number,
+        };
         // What is infinite becomes the largest integer.
-        nearest.face.to_array().map(|number| number as u32)
+        (nearest.face.to_array()).map(|number| number_of(number) as u32)
     }
 }
 
@@ -286,6 +413,21 @@ struct Unhidden<S: Simd> {
 }
 
 impl<S: Simd> Unhidden<S> {
+    /// Asks a sphere.
+    #[inline(always)]
+    fn ask_sphere(&mut self, simd: S, search: &Occluded<'_>, part: &SpherePart) {
+        let packet = search.packet;
+        let [mut hit, mut unknown] =
+            to_sphere(packet).occluded(simd, &part.sphere, self.mask, packet.range[1]);
+        while unknown != 0 {
+            let ray = unknown.trailing_zeros() as usize % BUNDLE;
+            unknown &= unknown - 1;
+            hit |= u32::from(search.alone(part, ray)) << ray;
+        }
+        self.mask &= !hit;
+        self.end = self.end.replaced(hit, simd.splat_16(-1.0));
+    }
+
     /// Asks a face.
     #[inline(always)]
     fn ask(&mut self, simd: S, rays: &LocalPacket<S>, face: &PacketFace) {
@@ -309,6 +451,19 @@ struct Occluded<'a> {
     packet: &'a Bundle<'a>,
 }
 
+impl Occluded<'_> {
+    /// True if one ray hits a sphere.
+    #[cold]
+    fn alone(&self, part: &SpherePart, ray: usize) -> bool {
+        let instructions = self.tree.instructions;
+        instructions.run(ray_search::Occluded {
+            tree: part.tree(),
+            instructions,
+            ray: &self.packet.ray(ray, self.packet.range[1][ray]),
+        })
+    }
+}
+
 impl Computation for Occluded<'_> {
     type Output = u32;
     #[inline(always)]
@@ -327,6 +482,12 @@ impl Computation for Occluded<'_> {
                 }
                 unhidden.ask(simd, &rays, face);
             }
+            for part in &tree.spheres {
+                if unhidden.mask == 0 {
+                    break;
+                }
+                unhidden.ask_sphere(simd, &self, part);
+            }
             return asked & !unhidden.mask;
         }
         let slabs = Slabs::new(simd, &rays);
@@ -340,11 +501,14 @@ impl Computation for Occluded<'_> {
                     let (mask, near) = slabs.children(simd, node, unhidden.end);
                     stack.push_sorted(mask, &near, &node.children);
                 }
-                Some(ChildKind::Leaf(leaf)) => {
-                    for face in tree.leaf(leaf) {
-                        unhidden.ask(simd, &rays, face);
+                Some(ChildKind::Leaf(leaf)) => match tree.leaf(leaf) {
+                    Leaf::Faces(faces) => {
+                        for face in faces {
+                            unhidden.ask(simd, &rays, face);
+                        }
                     }
-                }
+                    Leaf::Sphere(part) => unhidden.ask_sphere(simd, &self, part),
+                },
                 None => {}
             }
         }

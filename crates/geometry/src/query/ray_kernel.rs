@@ -91,12 +91,6 @@ impl TriangleBlock {
         }
     }
 
-    /// The number of the triangle in a lane.
-    #[inline(always)]
-    pub fn face(&self, lane: usize) -> u32 {
-        self.faces[lane]
-    }
-
     /// The numbers of the triangles.
     pub fn faces(&self) -> impl Iterator<Item = u32> {
         let is_used = |&face: &u32| face != NO_FACE;

@@ -4,6 +4,7 @@
 //! margins for all rounding; triangles in double precision and in the world's
 //! (Woop, Benthin and Wald 2013), exactly as brute force does it.
 
+use std::ops::Range;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_math::Vec3;
@@ -162,7 +163,7 @@ impl RayTree {
             .then(|| Box::new(fine_tree(pieces, pieces.all(), halt)));
     }
 
-    /// This tree, with the triangles of spheres as all others: for devices and packets. Made when first
+    /// This tree, with the triangles of spheres as all others: for devices. Made when first
     /// asked for, and refitted with this one.
     pub(super) fn without_spheres(&self) -> &Self {
         if self.spheres.is_empty() && self.triangles.get().is_none() {
@@ -212,8 +213,34 @@ impl RayTree {
         self.cost.degradation().max(of_triangles.unwrap_or(0.0))
     }
 
+    /// The faces that are not of spheres.
+    pub fn single_faces(&self) -> Vec<u32> {
+        let mut single = Vec::with_capacity(self.single_face_count());
+        let mut next = 0;
+        for sphere in &self.spheres {
+            let faces = sphere.faces();
+            single.extend(next..faces.start);
+            next = faces.end;
+        }
+        single.extend(next..self.face_count as u32);
+        single
+    }
+
+    /// How many faces are not of spheres.
+    pub fn single_face_count(&self) -> usize {
+        let spheres = self.spheres.iter();
+        self.face_count - spheres.map(|sphere| sphere.faces().len()).sum::<usize>()
+    }
+
+    /// The sphere whose faces these are; `None` if they are not all those of one.
+    pub fn sphere_of(&self, faces: Range<u32>) -> Option<&Sphere> {
+        let mut spheres = self.spheres.iter();
+        spheres
+            .find(|sphere| sphere.faces() == faces)
+            .map(|sphere| &**sphere)
+    }
+
     /// How many things of the mesh are searched as spheres.
-    #[cfg(test)]
     pub fn sphere_count(&self) -> usize {
         self.spheres.len()
     }

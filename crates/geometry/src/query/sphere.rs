@@ -155,15 +155,21 @@ impl Sphere {
         self.corners
     }
 
-    /// The corners of one of its faces, counted from its first, in their order in the mesh.
+    /// The vertices of one of its faces, all counted from its first, in their order in the mesh.
     #[inline(always)]
-    pub fn corners_of(&self, face: u32) -> [Vec3; 3] {
-        let [a, b, c] = self.grid.faces[face as usize].map(|i| self.positions[i as usize]);
+    pub fn vertices_of(&self, face: u32) -> [u32; 3] {
+        let [a, b, c] = self.grid.faces[face as usize];
         if self.is_reversed {
             [a, c, b]
         } else {
             [a, b, c]
         }
+    }
+
+    /// The corners of one of its faces, counted from its first, in their order in the mesh.
+    #[inline(always)]
+    pub fn corners_of(&self, face: u32) -> [Vec3; 3] {
+        self.vertices_of(face).map(|i| self.positions[i as usize])
     }
 
     /// A tree over its faces, counted from its first.

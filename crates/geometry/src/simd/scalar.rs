@@ -209,3 +209,8 @@ impl F64x4 for Array<f64, 4> {
         self.0
     }
 }
+
+/// Asks for the memory of a value that is read a little later, where there is a way to.
+#[cfg(not(target_arch = "x86_64"))]
+#[inline(always)]
+pub fn prefetch<T>(_: &T) {}

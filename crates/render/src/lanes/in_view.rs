@@ -7,11 +7,12 @@ use capwalk_scene::SensorModel;
 /// A plane: a point of it, and a normal of any length.
 type Plane = [Vec3; 2];
 
-/// How far the nearest face that the camera may see is from it, at least.
+/// How far the nearest face that the camera may see is from it, at least, without those of spheres.
 pub fn nearest_in_view(accel: &Accel) -> f64 {
     let eye = accel.view.origin;
     let frustum = frustum(accel);
-    let distances = (0..accel.mesh.faces.len()).filter_map(|face| {
+    let faces = accel.rays().single_faces().into_iter();
+    let distances = faces.map(|face| face as usize).filter_map(|face| {
         let corners = accel.mesh.corners(face);
         let part = frustum.iter().fold(corners.to_vec(), clipped);
         let low = part.iter().copied().reduce(Vec3::min)?;

@@ -13,8 +13,8 @@ const _: () = assert!(LANES == BUNDLE);
 /// The range of rays that start where something was met.
 pub const ALL_BEHIND: [Numbers; 2] = [[0.0; LANES], [f64::INFINITY; LANES]];
 
-/// In scenes of more triangles, rays that were reflected at random have little in common.
-const MOST_FACES: usize = 1024;
+/// In scenes of more triangles and spheres, rays that were reflected at random have little in common.
+const MOST_PIECES: usize = 1024;
 
 /// What lies in a plane is at most this part of a pixel where the nearest surface in view may be.
 const NEAREST: f64 = 2e-3;
@@ -47,11 +47,16 @@ pub struct LaneRays<'a> {
 impl<'a> Meets<'a> {
     /// All surfaces of a scene.
     pub fn new(accel: &'a Accel) -> Self {
-        let faces = accel.mesh.faces.len();
+        let rays = accel.rays();
+        let packets = packets(accel);
+        let pieces = match packets {
+            Some(_) => rays.single_face_count() + rays.sphere_count(),
+            None => accel.mesh.faces.len(),
+        };
         Self {
             accel,
-            packets: packets(accel),
-            levels: u64::from(faces.max(1).ilog2() + 2),
+            packets,
+            levels: u64::from(pieces.max(1).ilog2() + 2),
         }
     }
 
@@ -70,13 +75,13 @@ impl<'a> Meets<'a> {
 
     /// The nearest face that each ray meets, of those that are asked for.
     pub fn first_hits(&self, rays: &LaneRays<'_>) -> [u32; LANES] {
-        if let Some(tree) = &self.packets {
-            return tree.first_hits(&rays.bundle(rays.range));
-        }
         let range = match rays.from_surfaces {
             true => [[self.accel.horizon_distance(); LANES], rays.range[1]],
             false => *rays.range,
         };
+        if let Some(tree) = &self.packets {
+            return tree.first_hits(&rays.bundle(&range));
+        }
         if !self.accel.has_flush_emitters() {
             return self.accel.rays().first_hits(&rays.bundle(&range));
         }
@@ -95,10 +100,10 @@ impl<'a> Meets<'a> {
 
     /// One bit for each ray that meets something before its end.
     pub fn occluded(&self, rays: &LaneRays<'_>) -> u32 {
-        if let Some(tree) = &self.packets {
-            return tree.occluded(&rays.bundle(rays.range));
-        }
         let range = self.accel.ranges_to_targets(&rays.range[1]);
+        if let Some(tree) = &self.packets {
+            return tree.occluded(&rays.bundle(&range));
+        }
         self.accel.rays().occluded_rays(&rays.bundle(&range))
     }
 }
@@ -106,11 +111,12 @@ impl<'a> Meets<'a> {
 /// A tree for packets, where rays are to come in packets.
 fn packets(accel: &Accel) -> Option<PacketTree> {
     let mesh = &accel.mesh;
-    let may_be =
-        mesh.faces.len() <= MOST_FACES && !accel.has_flush_emitters() && !accel.view.is_parallel();
-    let tree = may_be.then(|| PacketTree::new(accel.rays(), mesh))?;
+    let rays = accel.rays();
+    let pieces = rays.single_face_count() + rays.sphere_count();
+    let may_be = pieces <= MOST_PIECES && !accel.has_flush_emitters() && !accel.view.is_parallel();
+    let tree = may_be.then(|| PacketTree::new(rays, mesh))?;
     let pixel = NEAREST * accel.view.pixel_size() * nearest_in_view(accel);
-    (tree.in_plane() <= pixel && tree.resolves(mesh)).then_some(tree)
+    (tree.in_plane() <= pixel && tree.resolves(rays, mesh)).then_some(tree)
 }
 
 impl LaneRays<'_> {

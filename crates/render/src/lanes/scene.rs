@@ -1,8 +1,8 @@
 //! What lanes look up in a scene: faces, and what their sides scatter.
 
 use capwalk_boundary::{Accel, tangents_of_face};
-use capwalk_geometry::Hit;
-use capwalk_geometry::simd::Instructions;
+use capwalk_geometry::simd::{Instructions, prefetch};
+use capwalk_geometry::{Hit, Sphere};
 use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf, Side};
 use capwalk_scene::resolve::Constants;
@@ -30,14 +30,17 @@ pub struct LaneScene<'a> {
     primal: Primal<'a>,
     /// Which numbers derivatives are asked for with respect to.
     is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
-    shapes: Vec<ShapeOfLanes>,
+    shapes: Vec<ShapeOfLanes<'a>>,
     instructions: Instructions,
 }
 
 /// What a shape's sides scatter: the one that its normal points to, and the other.
-struct ShapeOfLanes {
+struct ShapeOfLanes<'a> {
     sides: [Scattering; 2],
-    has_normals: bool,
+    /// Those of its vertices.
+    normals: Option<&'a [Vec3]>,
+    /// Where its vertices lie together that rays have met.
+    sphere: Option<&'a Sphere>,
     /// True if its material turns with texture coordinates.
     turns: bool,
     emitter: Option<EmitterId>,
@@ -64,16 +67,18 @@ enum Scattering {
 impl<'a> LaneScene<'a> {
     /// The shapes of a scene, to be differentiated with respect to some numbers.
     pub fn new(accel: &'a Accel, is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync)) -> Self {
-        let shape = |(i, shape): (usize, &std::sync::Arc<Shape>)| {
+        let shape = |(i, shape): (usize, &'a std::sync::Arc<Shape>)| {
             let slots = asked_slots(&accel.scene, shape, is_asked_for);
             let asked = asked_numbers(&accel.scene, shape, slots);
+            let faces = accel.first_face[i]..accel.first_face[i] + shape.mesh.faces.len() as u32;
             ShapeOfLanes {
                 sides: match asked[..] {
                     [] => sides(accel, shape, accel.needs_tangent[i]),
                     _ => textured(&accel.scene, shape.bsdf).unwrap_or_else(differing),
                 },
                 asked,
-                has_normals: shape.normals.per_vertex().is_some(),
+                normals: shape.normals.per_vertex(),
+                sphere: accel.rays().sphere_of(faces),
                 turns: accel.needs_tangent[i],
                 emitter: shape.emitter,
                 first_face: accel.first_face[i],
@@ -90,7 +95,7 @@ impl<'a> LaneScene<'a> {
     }
 
     #[inline]
-    fn shape_of(&self, face: u32) -> (ShapeId, &ShapeOfLanes) {
+    fn shape_of(&self, face: u32) -> (ShapeId, &ShapeOfLanes<'a>) {
         let id = self.accel.shape_of_face[face as usize];
         (id, &self.shapes[id.0 as usize])
     }
@@ -132,7 +137,16 @@ impl<'a> LaneScene<'a> {
     /// Looks up the face that some paths hit.
     #[inline]
     pub fn set_face(&self, face: u32, lanes: u32, vertices: &mut Vertices) {
-        let corners = self.accel.mesh.corners(face as usize);
+        let shape = self.shape_of(face).1;
+        let corners = match shape.sphere {
+            Some(sphere) => sphere.corners_of(face - shape.first_face),
+            None => self.accel.mesh.corners(face as usize),
+        };
+        if let Some(normals) = shape.normals {
+            for i in self.vertices_of(shape, face) {
+                prefetch(&normals[i as usize]);
+            }
+        }
         if lanes.count_ones() >= MANY {
             return self.instructions.run(SetFace {
                 corners,
@@ -161,9 +175,10 @@ impl<'a> LaneScene<'a> {
     ) -> u32 {
         let shape = self.shape_of(face).1;
         let mut first = lanes & front;
-        if shape.has_normals {
+        if let Some(normals) = shape.normals {
+            let normals = self.vertices_of(shape, face).map(|i| normals[i as usize]);
             for lane in lanes_of(lanes) {
-                let (outward, out) = self.normal(face, lane, vertices);
+                let (outward, out) = interpolated(normals, lane, vertices);
                 vertices.outward.set(lane, outward);
                 if out < 0.0 {
                     first ^= 1 << lane;
@@ -183,7 +198,7 @@ impl<'a> LaneScene<'a> {
     /// What one of the sides of a face scatters.
     fn look_up_side<'s>(
         &'s self,
-        (face, shape, place): (u32, &'s ShapeOfLanes, usize),
+        (face, shape, place): (u32, &'s ShapeOfLanes<'_>, usize),
         lanes: u32,
         vertices: &mut Vertices,
         lobes: &mut LaneLobes<'s>,
@@ -333,24 +348,24 @@ impl<'a> LaneScene<'a> {
     /// The shading normal on the outside, and which of the shape's sides a path hits.
     #[inline]
     fn seen(&self, face: u32, lane: usize, vertices: &Vertices) -> (Vec3, usize) {
-        let (outward, out) = match self.shape_of(face).1.has_normals {
-            false => (vertices.face_normal.get(lane), 1.0),
-            true => self.normal(face, lane, vertices),
+        let shape = self.shape_of(face).1;
+        let (outward, out) = match shape.normals {
+            None => (vertices.face_normal.get(lane), 1.0),
+            Some(normals) => {
+                let normals = self.vertices_of(shape, face).map(|i| normals[i as usize]);
+                interpolated(normals, lane, vertices)
+            }
         };
         (outward, usize::from(vertices.seen[lane] * out <= 0.0))
     }
 
-    /// The interpolated normal, and 1 or -1 for whether the face's own points out.
-    fn normal(&self, face: u32, lane: usize, vertices: &Vertices) -> (Vec3, f64) {
-        let (id, shape) = self.shape_of(face);
-        let normals = self.accel.scene.shape(id).normals.per_vertex();
-        let normals = normals.expect("it has normals");
-        let corners = self.accel.mesh.faces[face as usize];
-        let normals = corners.map(|i| normals[(i - shape.first_vertex) as usize]);
-        let out = outside(normals, vertices.face_normal.get(lane));
-        let [a, b, c] = normals;
-        let [wa, wb, wc] = vertices.barycentric(lane);
-        ((a * wa + b * wb + c * wc).normalized(), out)
+    /// The vertices of a face, counted from its shape's first.
+    #[inline]
+    fn vertices_of(&self, shape: &ShapeOfLanes<'_>, face: u32) -> [u32; 3] {
+        match shape.sphere {
+            Some(sphere) => sphere.vertices_of(face - shape.first_face),
+            None => self.accel.mesh.faces[face as usize].map(|i| i - shape.first_vertex),
+        }
     }
 
     /// The point on its shape.
@@ -436,6 +451,15 @@ impl<'a> LaneScene<'a> {
         }
         Some(flipped)
     }
+}
+
+/// The interpolated normal, and 1 or -1 for whether the face's own points out.
+#[inline]
+fn interpolated(normals: [Vec3; 3], lane: usize, vertices: &Vertices) -> (Vec3, f64) {
+    let out = outside(normals, vertices.face_normal.get(lane));
+    let [a, b, c] = normals;
+    let [wa, wb, wc] = vertices.barycentric(lane);
+    ((a * wa + b * wb + c * wc).normalized(), out)
 }
 
 /// The places in a shape's material of textures whose numbers are asked for.
