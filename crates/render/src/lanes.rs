@@ -406,6 +406,9 @@ impl<'a> LaneTracer<'a> {
     /// One bit for each of some lanes where directions from the surface would add more time than they
     /// take noise away, see `light.rs`.
     fn sampled_well(&self, paths: &Paths<'_>, active: u32) -> u32 {
+        if self.lights.are_deltas {
+            return active;
+        }
         let Some(emitter) = self.lights.only() else {
             return 0;
         };

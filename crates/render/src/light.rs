@@ -170,6 +170,12 @@ pub fn sample_lights(
 /// surfaces: in a wider one cosines differ much.
 pub const NARROW: f64 = 1.0;
 
+/// True if no direction from a material leads to any of the emitters: they have no extent.
+pub fn all_are_deltas(emitters: &[EmitterSampler]) -> bool {
+    let mut samplers = emitters.iter().map(|emitter| &emitter.directions);
+    samplers.all(|sampler| matches!(sampler, DirectionSampler::Delta))
+}
+
 /// True if directions from the material would add more time than they take noise away:
 /// where light comes from one area emitter, which is not wide, to a surface that scatters it
 /// evenly, points on the emitter have weights that hardly differ.
@@ -178,6 +184,9 @@ fn is_sampled_well(
     vertex: &Vertex<f64>,
     sampling: LightSampling,
 ) -> bool {
+    if all_are_deltas(emitters) {
+        return true;
+    }
     let [emitter] = emitters else {
         return false;
     };

@@ -38,35 +38,39 @@ struct AllRays {
     inverse: [f32; 2],
 }
 
-/// Directions of a beam, which should have unit length, differ by no more than this along each axis.
-const SPREAD: f32 = 0.5;
+/// Directions of a beam, which should have unit length, differ by no more than this from that of its first
+/// ray along each axis.
+const SPREAD: f32 = 0.25;
 
 impl<'a, S: Simd> Beam<'a, S> {
-    /// The beam of a bundle, if that is more than a few rays.
+    /// The first of some rays with those that go about its way; `None` if that is no more than a few.
     #[inline(always)]
-    pub fn new(simd: S, local: &'a LocalBundle, few: u32) -> Option<Self> {
-        let most = |axis: &usize| (local.fastest[*axis] & local.mask).count_ones();
-        let fastest = (0..3).max_by_key(most).expect("there are three");
-        let mask = local.fastest[fastest] & local.mask;
-        if !local.is_finite || mask.count_ones() <= few {
+    pub fn of_first(simd: S, local: &'a LocalBundle, rays: u32, few: u32) -> Option<Self> {
+        if !local.is_finite || rays.count_ones() <= few {
             return None;
         }
+        let first = rays.trailing_zeros() as usize % BUNDLE;
+        let fastest = local.fastest_axis(first);
+        let mut mask = rays & local.fastest[fastest];
         for axis in 0..3 {
-            let [least, most] = ends_of(simd.round_16(&local.direction[axis]));
-            if most - least > SPREAD {
-                return None;
-            }
+            let directions = simd.round_16(&local.direction[axis]);
+            let apart = directions - simd.splat_16(local.direction[axis][first] as f32);
+            mask &= apart.abs().le(simd.splat_16(SPREAD));
+        }
+        if mask.count_ones() <= few {
+            return None;
         }
         // Twice that of planes: middles and halves of boxes, places and products are rounded, too.
         let margin = simd.round_16(&local.margin).largest() + PLANE_MARGIN as f32;
+        let slab = |axis: usize| (&local.start[axis], &local.inverse[axis]);
         Some(Self {
             local,
             mask,
             axes: axes_to(fastest),
             slabs: [
-                SlabOfRays::new(simd, &local.start[0], &local.inverse[0], margin),
-                SlabOfRays::new(simd, &local.start[1], &local.inverse[1], margin),
-                SlabOfRays::new(simd, &local.start[2], &local.inverse[2], margin),
+                SlabOfRays::new(simd, slab(0), (mask, first), margin),
+                SlabOfRays::new(simd, slab(1), (mask, first), margin),
+                SlabOfRays::new(simd, slab(2), (mask, first), margin),
             ],
             margin,
         })
@@ -209,10 +213,17 @@ impl<'a, S: Simd> Beam<'a, S> {
 }
 
 impl<S: Simd> SlabOfRays<S> {
-    /// For rays that start in these places, with distance per movement.
+    /// For some rays, one of which is given, that start in these places, with distance per movement.
     #[inline(always)]
-    fn new(simd: S, start: &Numbers, inverse: &Numbers, margin: f32) -> Self {
-        let (start, inverse) = (simd.round_16(start), simd.round_16(inverse));
+    fn new(
+        simd: S,
+        (start, inverse): (&Numbers, &Numbers),
+        (mask, one): (u32, usize),
+        margin: f32,
+    ) -> Self {
+        // In the place of others that one.
+        let start = simd.round_16(start).replaced(!mask, simd.splat_16(start[one] as f32));
+        let inverse = simd.round_16(inverse).replaced(!mask, simd.splat_16(inverse[one] as f32));
         let [least, most] = ends_of(inverse);
         let [low, high] = ends_of(start);
         let (is_reversed, is_forward) = (most < 0.0, least > 0.0);

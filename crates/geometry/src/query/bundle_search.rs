@@ -37,11 +37,12 @@ impl Computation for FirstHits<'_> {
         }
         let local = LocalBundle::new(&self.tree.frame, self.rays);
         let mut rest = local.mask;
-        if let Some(beam) = self.tree.beam(simd, &local) {
-            self.together(simd, &beam, &mut best);
-            rest &= !beam.mask;
-        }
         while rest != 0 {
+            if let Some(beam) = self.tree.beam(simd, &local, rest) {
+                self.together(simd, &beam, &mut best);
+                rest &= !beam.mask;
+                continue;
+            }
             let ray = rest.trailing_zeros() as usize % BUNDLE;
             rest &= rest - 1;
             self.alone(simd, &local, Child::node(0), ray, &mut best);
@@ -58,11 +59,11 @@ struct Best {
 }
 
 impl TriangleTree {
-    /// The rays that go through it together.
+    /// Those of some rays that go through it together with the first.
     #[inline(always)]
-    fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle) -> Option<Beam<'a, S>> {
+    fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle, rays: u32) -> Option<Beam<'a, S>> {
         match self.has_no_trees {
-            true => Beam::new(simd, local, FEW),
+            true => Beam::of_first(simd, local, rays, FEW),
             false => None,
         }
     }
@@ -201,11 +202,12 @@ impl Computation for OccludedRays<'_> {
         }
         let local = LocalBundle::new(&self.tree.frame, self.rays);
         let (mut rest, mut occluded) = (local.mask, 0);
-        if let Some(beam) = self.tree.beam(simd, &local) {
-            occluded = self.together(simd, &beam);
-            rest &= !beam.mask;
-        }
         while rest != 0 {
+            if let Some(beam) = self.tree.beam(simd, &local, rest) {
+                occluded |= self.together(simd, &beam);
+                rest &= !beam.mask;
+                continue;
+            }
             let ray = rest.trailing_zeros() as usize % BUNDLE;
             rest &= rest - 1;
             let is_occluded = self.alone(simd, &local, Child::node(0), ray);

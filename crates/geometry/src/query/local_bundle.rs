@@ -166,16 +166,21 @@ impl LocalBundle {
         }
     }
 
-    /// The shear of a ray.
+    /// The axis along which a ray is fastest.
     #[inline(always)]
-    pub fn shear(&self, ray: usize) -> RayShear {
-        let fastest = match [self.fastest[0], self.fastest[1]].map(|rays| rays >> ray & 1) {
+    pub fn fastest_axis(&self, ray: usize) -> usize {
+        match [self.fastest[0], self.fastest[1]].map(|rays| rays >> ray & 1) {
             [1, _] => 0,
             [_, 1] => 1,
             _ => 2,
-        };
+        }
+    }
+
+    /// The shear of a ray.
+    #[inline(always)]
+    pub fn shear(&self, ray: usize) -> RayShear {
         RayShear {
-            axes: axes_to(fastest),
+            axes: axes_to(self.fastest_axis(ray)),
             shear: [self.shears[0][ray], self.shears[1][ray]],
             inverse_z: self.inverse_z[ray],
         }

@@ -15,7 +15,7 @@ use crate::lanes::scene::LaneScene;
 use crate::lanes::sky::{DrawSky, SeeSky, Sky};
 use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
-use crate::light::{TowardsEmitter, emitter_pdf};
+use crate::light::{all_are_deltas, TowardsEmitter, emitter_pdf};
 use crate::path_adjoint::PathAdjoint;
 use crate::plan::LightSampling;
 use crate::prepared::PreparedScene;
@@ -35,6 +35,8 @@ pub struct LaneLights<'a> {
     sky: Option<Sky<'a>>,
     /// All of the only emitter, if that is a surface.
     only: Option<&'a Node>,
+    /// True if no direction drawn from a surface leads to an emitter.
+    pub are_deltas: bool,
     /// Those whose numbers are asked for.
     asked: Vec<bool>,
 }
@@ -102,6 +104,7 @@ impl<'a> LaneLights<'a> {
             sky: emitters.clone().find_map(|pair| sky(&accel.scene, pair)),
             kinds,
             only,
+            are_deltas: all_are_deltas(samplers),
         }
     }
 
