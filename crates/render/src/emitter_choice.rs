@@ -19,8 +19,10 @@ pub const MANY: usize = 32;
 /// The probabilities of numbered emitters at a shading point.
 pub struct EmitterChoice {
     count: usize,
-    /// By number, unless all have the same.
-    probabilities: Option<[f64; MANY]>,
+    /// True if all have the same.
+    are_alike: bool,
+    /// By number, unless they are alike.
+    probabilities: [f64; MANY],
 }
 
 impl EmitterChoice {
@@ -28,15 +30,15 @@ impl EmitterChoice {
     pub fn alike(count: usize) -> Self {
         Self {
             count,
-            probabilities: None,
+            are_alike: true,
+            probabilities: [0.0; MANY],
         }
     }
 
-    /// Makes `count` emitters alike; writes less than a new choice would.
+    /// Makes `count` emitters alike.
     #[inline]
     pub fn make_alike(&mut self, count: usize) {
-        self.count = count;
-        self.probabilities = None;
+        (self.count, self.are_alike) = (count, true);
     }
 
     /// A choice among `count` emitters by how much they seem to light the point. `emitter` gives
@@ -49,41 +51,53 @@ impl EmitterChoice {
         emitter: impl Fn(usize) -> EmitterId,
     ) -> Self {
         let mut choice = Self::alike(count);
+        choice.follow_light(count, |i| {
+            let id = emitter(i);
+            let sampler = &samplers[id.0 as usize];
+            [sampler.view(accel, id, receiver), sampler.brightness]
+        });
+        choice
+    }
+
+    /// Makes this a choice among `count` emitters by how much they seem to light the point: `view` gives
+    /// what is seen of each ([`EmitterSampler::view`]), and its brightness.
+    #[inline]
+    pub fn follow_light(&mut self, count: usize, view: impl Fn(usize) -> [f64; 2]) {
+        self.make_alike(count);
         if !(2..=MANY).contains(&count) {
-            return choice;
+            return;
         }
         add_effort(count as u64);
         // How much light each sends, if nothing is in between, and which can send any.
-        let (mut light, mut can_light) = ([0.0; MANY], [0.0; MANY]);
-        for i in 0..count {
-            let id = emitter(i);
-            let sampler = &samplers[id.0 as usize];
-            let view = sampler.view(accel, id, receiver);
-            light[i] = view * sampler.brightness;
-            can_light[i] = f64::from(view > 0.0);
+        let (mut all, mut can_light) = (0.0, 0_u32);
+        let probabilities = &mut self.probabilities[..count];
+        for (i, light) in probabilities.iter_mut().enumerate() {
+            let [view, brightness] = view(i);
+            *light = view * brightness;
+            all += *light;
+            can_light |= u32::from(view > 0.0) << i;
         }
-        let [all, lit] = [&light, &can_light].map(|numbers| numbers[..count].iter().sum::<f64>());
         // False for NaN, and where all are black.
         if all > 0.0 && all < f64::INFINITY {
-            let mut parts = [0.0; MANY];
-            for (i, part) in parts[..count].iter_mut().enumerate() {
-                *part = UNIFORM * can_light[i] / lit + (1.0 - UNIFORM) * light[i] / all;
+            let alike = UNIFORM / f64::from(can_light.count_ones());
+            for (i, probability) in probabilities.iter_mut().enumerate() {
+                let alike = if can_light >> i & 1 == 1 { alike } else { 0.0 };
+                *probability = alike + (1.0 - UNIFORM) * *probability / all;
             }
-            choice.probabilities = Some(parts);
+            self.are_alike = false;
         }
-        choice
     }
 
     /// The number of the emitter that `u` in `[0, 1)` chooses, and its probability; `None` if
     /// there are none.
     pub fn choose(&self, u: f64) -> Option<(usize, f64)> {
         let last = self.count.checked_sub(1)?;
-        let Some(probabilities) = &self.probabilities else {
+        if self.are_alike {
             let chosen = ((u * self.count as f64) as usize).min(last);
             return Some((chosen, self.probability(chosen)));
-        };
+        }
         let (mut rest, mut chosen) = (u, None);
-        for (i, &probability) in probabilities[..self.count].iter().enumerate() {
+        for (i, &probability) in self.probabilities[..self.count].iter().enumerate() {
             if probability > 0.0 {
                 // The last one takes what rounding leaves over.
                 chosen = Some((i, probability));
@@ -98,9 +112,9 @@ impl EmitterChoice {
 
     /// The probability of the emitter of a number; 0 only if it cannot light the point.
     pub fn probability(&self, i: usize) -> f64 {
-        match &self.probabilities {
-            None => 1.0 / self.count as f64,
-            Some(probabilities) => probabilities[i],
+        match self.are_alike {
+            true => 1.0 / self.count as f64,
+            false => self.probabilities[i],
         }
     }
 }

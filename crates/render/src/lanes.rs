@@ -22,6 +22,7 @@ mod kept;
 mod lights;
 mod lit;
 mod lobes;
+mod points;
 mod rays;
 mod rough;
 mod scattered;
@@ -425,7 +426,8 @@ impl<'a> LaneTracer<'a> {
         let with_points = active & !paths.lobes.which(active, |lobes| !lobes.has_smooth);
         let transmits = paths.lobes.which(active, |lobes| lobes.transmits);
         let surfaces = (&paths.vertices, &paths.lobes);
-        (self.lights).choose(&mut paths.choices, surfaces, [active, with_points]);
+        let masks = [active, with_points, transmits];
+        (self.lights).choose(self.instructions, &mut paths.choices, surfaces, masks);
         for i in 0..samples {
             let first = first + i * EMITTER_NUMBERS;
             self.add_points(paths, first, [with_points, transmits, of_brdf]);

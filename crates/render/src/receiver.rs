@@ -42,9 +42,7 @@ impl Receiver {
     /// The cosine between the shading normal and a unit direction, and a little more, as
     /// [`Self::largest_cosine`] has it: 0 only if no light from there is reflected or transmitted.
     pub fn cosine_in(&self, direction: Vec3) -> f64 {
-        let cos = direction.dot(self.frame.n);
-        let cos = if self.transmits { cos.abs() } else { cos };
-        (cos + ROUNDING).clamp(0.0, 1.0)
+        cosine_in(direction.dot(self.frame.n), self.transmits)
     }
 
     /// True if light from a unit direction comes from behind. False for NaN, which the pixel counts.
@@ -52,4 +50,11 @@ impl Receiver {
     pub fn is_behind(&self, direction: Vec3) -> bool {
         !self.transmits && direction.dot(self.frame.n) <= 0.0
     }
+}
+
+/// [`Receiver::cosine_in`], from the cosine itself.
+#[inline(always)]
+pub fn cosine_in(cos: f64, transmits: bool) -> f64 {
+    let cos = if transmits { cos.abs() } else { cos };
+    (cos + ROUNDING).clamp(0.0, 1.0)
 }

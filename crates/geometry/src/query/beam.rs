@@ -222,8 +222,12 @@ impl<S: Simd> SlabOfRays<S> {
         margin: f32,
     ) -> Self {
         // In the place of others that one.
-        let start = simd.round_16(start).replaced(!mask, simd.splat_16(start[one] as f32));
-        let inverse = simd.round_16(inverse).replaced(!mask, simd.splat_16(inverse[one] as f32));
+        let start = simd
+            .round_16(start)
+            .replaced(!mask, simd.splat_16(start[one] as f32));
+        let inverse = simd
+            .round_16(inverse)
+            .replaced(!mask, simd.splat_16(inverse[one] as f32));
         let [least, most] = ends_of(inverse);
         let [low, high] = ends_of(start);
         let (is_reversed, is_forward) = (most < 0.0, least > 0.0);

@@ -1,5 +1,5 @@
-//! Light that reaches the surfaces of lanes from emitters. Points on rectangles are sampled all lanes
-//! at a time, other emitters one by one.
+//! Light that reaches the surfaces of lanes from emitters. Rectangles, points that shine, and the
+//! environment map are sampled all lanes at a time, other emitters one by one.
 
 use capwalk_boundary::{Accel, Streams};
 use capwalk_geometry::Hit;
@@ -7,15 +7,16 @@ use capwalk_geometry::simd::{Computation, Instructions, Simd};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
 
-use crate::emitter_choice::EmitterChoice;
+use crate::emitter_choice::{EmitterChoice, MANY};
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
 use crate::lanes::lit::{Lit, SeenEmitter, SkyPoint};
 use crate::lanes::lobes::LaneLobes;
+use crate::lanes::points::{LookAtPoints, Point, ViewPoint};
 use crate::lanes::scene::LaneScene;
 use crate::lanes::sky::{DrawSky, SeeSky, Sky};
 use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
-use crate::light::{all_are_deltas, TowardsEmitter, emitter_pdf};
+use crate::light::{TowardsEmitter, all_are_deltas, emitter_pdf};
 use crate::path_adjoint::PathAdjoint;
 use crate::plan::LightSampling;
 use crate::prepared::PreparedScene;
@@ -51,6 +52,8 @@ struct Kind<'a> {
     radiance: Option<Rgb>,
     /// True if it has no extent.
     is_delta: bool,
+    /// If it is a point that shines alike in all directions.
+    point: Option<Point>,
 }
 
 /// Which emitters surfaces choose.
@@ -58,6 +61,10 @@ pub struct LaneChoices {
     choices: [EmitterChoice; LANES],
     /// True if all emitters are alike in all lanes.
     are_alike: bool,
+    /// How much the surfaces receive of emitters that are points.
+    views: Vec<Numbers>,
+    /// The points that they chose.
+    points: Vectors,
     rectangles: Rectangles,
 }
 
@@ -83,6 +90,13 @@ impl<'a> LaneLights<'a> {
                 },
                 radiance: is_same.then(|| texture.texel(0)),
                 is_delta,
+                point: match emitter {
+                    Emitter::Point { position, .. } if texture.is_constant() => Some(Point {
+                        position: *position,
+                        intensity: texture.texel(0),
+                    }),
+                    _ => None,
+                },
             }
         };
         let only = match samplers {
@@ -128,6 +142,8 @@ impl<'a> LaneLights<'a> {
         LaneChoices {
             choices: std::array::from_fn(|_| EmitterChoice::alike(self.samplers.len())),
             are_alike: true,
+            views: vec![[0.0; LANES]; self.kinds.len()],
+            points: Vectors::ZERO,
             rectangles,
         }
     }
@@ -137,34 +153,49 @@ impl<'a> LaneLights<'a> {
         self.asked[emitter.0 as usize]
     }
 
-    /// Finds the probabilities of emitters at some surfaces: all the same where `on_emitters` has no
-    /// bit.
+    /// Finds the probabilities of emitters at some surfaces, of which some transmit light: all the
+    /// same where `on_emitters` has no bit.
     pub fn choose(
         &self,
+        instructions: Instructions,
         choices: &mut LaneChoices,
         (vertices, lobes): (&Vertices, &LaneLobes<'_>),
-        [lanes, on_emitters]: [u32; 2],
+        [lanes, on_emitters, transmits]: [u32; 3],
     ) {
         let count = self.samplers.len();
-        let by_light = match count == 1 || self.sampling.alike {
-            true => 0,
-            false => lanes & on_emitters,
+        let by_light = match (2..=MANY).contains(&count) && !self.sampling.alike {
+            true => lanes & on_emitters,
+            false => 0,
         };
         if by_light == 0 && choices.are_alike {
             return;
         }
         choices.are_alike = false;
+        let views = &mut choices.views;
+        for (views, kind) in views.iter_mut().zip(&self.kinds) {
+            if let Some(Point { position, .. }) = kind.point {
+                *views = instructions.run(ViewPoint {
+                    position,
+                    vertices,
+                    transmits,
+                });
+            }
+        }
         for lane in lanes_of(lanes) {
             let choice = &mut choices.choices[lane];
-            match by_light >> lane & 1 {
-                0 => choice.make_alike(count),
-                _ => {
-                    let receiver = lobes.receiver(vertices, lane);
-                    let id = |i| EmitterId(i as u32);
-                    *choice =
-                        EmitterChoice::by_light(self.accel, self.samplers, &receiver, count, id);
-                }
+            if by_light >> lane & 1 == 0 {
+                choice.make_alike(count);
+                continue;
             }
+            let receiver = lobes.receiver(vertices, lane);
+            choice.follow_light(count, |i| {
+                let (sampler, id) = (&self.samplers[i], EmitterId(i as u32));
+                let view = match self.kinds[i].point {
+                    Some(_) => choices.views[i][lane],
+                    None => sampler.view(self.accel, id, &receiver),
+                };
+                [view, sampler.brightness]
+            });
         }
     }
 
@@ -191,7 +222,10 @@ impl<'a> LaneLights<'a> {
                 lit.inverse_density = [1.0 / f64::from(self.sampling.emitter_samples); LANES];
                 [lanes, 0]
             }
-            _ => self.choose_and_draw(choices, (vertices, lobes), streams, first, lanes, lit),
+            _ => {
+                let surfaces = (vertices, lobes);
+                self.choose_and_draw(instructions, choices, surfaces, streams, first, lanes, lit)
+            }
         };
         if rectangles != 0 {
             instructions.run(SampleRectangles {
@@ -221,6 +255,7 @@ impl<'a> LaneLights<'a> {
     /// densities lack the solid angle, or the density of directions, which are not known yet.
     fn choose_and_draw(
         &self,
+        instructions: Instructions,
         choices: &mut LaneChoices,
         (vertices, lobes): (&Vertices, &LaneLobes<'_>),
         streams: &Streams<LANES>,
@@ -228,7 +263,7 @@ impl<'a> LaneLights<'a> {
         lanes: u32,
         lit: &mut Lit,
     ) -> [u32; 2] {
-        let (mut rectangles, mut skies) = (0, 0);
+        let (mut rectangles, mut skies, mut points) = (0, 0, 0);
         let choice = match self.samplers.len() {
             0 | 1 => [0.0; LANES],
             _ => streams.numbers(first, lanes),
@@ -246,6 +281,11 @@ impl<'a> LaneLights<'a> {
                 rectangles |= 1 << lane;
             } else if kind.is_sky {
                 skies |= 1 << lane;
+            } else if let Some(point) = kind.point {
+                choices.points.set(lane, point.position);
+                lit.radiance.set_colour(lane, point.intensity);
+                lit.hits[lane] = None;
+                points |= 1 << lane;
             } else if kind.is_delta {
                 self.look_at_delta(lit.emitters[lane], vertices.position.get(lane), lane, lit);
             } else {
@@ -254,10 +294,18 @@ impl<'a> LaneLights<'a> {
                 self.draw_one(chosen, &receiver, u, times, lane, lit);
             }
         }
+        if points != 0 {
+            instructions.run(LookAtPoints {
+                vertices,
+                positions: &choices.points,
+                lanes: points,
+                lit,
+            });
+        }
         [rectangles, skies]
     }
 
-    /// Finds the direction towards an emitter without extent, and with it the light from there.
+    /// Finds the direction towards any other emitter without extent, and with it the light from there.
     fn look_at_delta(&self, emitter: EmitterId, position: Vec3, lane: usize, lit: &mut Lit) {
         let Some(light) = self.accel.delta_light(emitter, position) else {
             return;
