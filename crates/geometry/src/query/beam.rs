@@ -14,7 +14,7 @@ const OF_F64: usize = 4;
 
 /// Rays of a bundle that go about the same way, and are fastest along the same axis.
 pub struct Beam<'a, S: Simd> {
-    pub local: &'a LocalBundle,
+    pub local: &'a LocalBundle<'a>,
     pub mask: u32,
     axes: [usize; 3],
     slabs: [SlabOfRays<S>; 3],
@@ -45,7 +45,7 @@ const SPREAD: f32 = 0.25;
 impl<'a, S: Simd> Beam<'a, S> {
     /// The first of some rays with those that go about its way; `None` if that is no more than a few.
     #[inline(always)]
-    pub fn of_first(simd: S, local: &'a LocalBundle, rays: u32, few: u32) -> Option<Self> {
+    pub fn of_first(simd: S, local: &'a LocalBundle<'a>, rays: u32, few: u32) -> Option<Self> {
         if !local.is_finite || rays.count_ones() <= few {
             return None;
         }
@@ -170,7 +170,7 @@ impl<'a, S: Simd> Beam<'a, S> {
             let Some(Crossing { inside, t, .. }) = crossing(simd, corners, inverse_z, own) else {
                 continue;
             };
-            let t_min = simd.load_f64(part_of(&self.local.range[0], part));
+            let t_min = simd.load_f64(part_of(self.local.range[0], part));
             let before = t.le(simd.load_f64(part_of(t_max, part)));
             let mut hits = inside & t_min.le(t) & before;
             if hits == 0 {

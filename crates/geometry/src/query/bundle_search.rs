@@ -5,7 +5,7 @@
 
 use super::beam::Beam;
 use super::bundle::{BUNDLE, Bundle, NO_FACE};
-use super::local_bundle::LocalBundle;
+use super::local_bundle::{Filled, LocalBundle};
 use super::ray_kernel::TriangleBlock;
 use super::ray_search::{FirstHit, Occluded};
 use super::sphere_bundle::RaysToSphere;
@@ -35,7 +35,9 @@ impl Computation for FirstHits<'_> {
         if self.tree.nodes.is_empty() {
             return best.faces;
         }
-        let local = LocalBundle::new(&self.tree.frame, self.rays);
+        let mut room = None;
+        let rays = Filled::all(&mut room, self.rays);
+        let local = LocalBundle::new(&self.tree.frame, &rays);
         let mut rest = local.mask;
         while rest != 0 {
             if let Some(beam) = self.tree.beam(simd, &local, rest) {
@@ -61,7 +63,12 @@ struct Best {
 impl TriangleTree {
     /// Those of some rays that go through it together with the first.
     #[inline(always)]
-    fn beam<'a, S: Simd>(&self, simd: S, local: &'a LocalBundle, rays: u32) -> Option<Beam<'a, S>> {
+    fn beam<'a, S: Simd>(
+        &self,
+        simd: S,
+        local: &'a LocalBundle<'a>,
+        rays: u32,
+    ) -> Option<Beam<'a, S>> {
         match self.has_no_trees {
             true => Beam::of_first(simd, local, rays, FEW),
             false => None,
@@ -163,7 +170,7 @@ impl FirstHits<'_> {
     fn alone<S: Simd>(
         &self,
         simd: S,
-        local: &LocalBundle,
+        local: &LocalBundle<'_>,
         child: Child,
         ray: usize,
         best: &mut Best,
@@ -200,7 +207,9 @@ impl Computation for OccludedRays<'_> {
         if self.tree.nodes.is_empty() {
             return 0;
         }
-        let local = LocalBundle::new(&self.tree.frame, self.rays);
+        let mut room = None;
+        let rays = Filled::all(&mut room, self.rays);
+        let local = LocalBundle::new(&self.tree.frame, &rays);
         let (mut rest, mut occluded) = (local.mask, 0);
         while rest != 0 {
             if let Some(beam) = self.tree.beam(simd, &local, rest) {
@@ -276,7 +285,7 @@ impl OccludedRays<'_> {
     #[inline(always)]
     fn sphere<S: Simd>(&self, simd: S, beam: &Beam<'_, S>, child: Child, rays: u32) -> u32 {
         let (sphere, local) = (self.tree.sphere(child), beam.local);
-        let [mut hit, mut rest] = to_sphere(local).occluded(simd, sphere, rays, &local.range[1]);
+        let [mut hit, mut rest] = to_sphere(local).occluded(simd, sphere, rays, local.range[1]);
         while rest != 0 {
             let ray = rest.trailing_zeros() as usize % BUNDLE;
             rest &= rest - 1;
@@ -287,7 +296,7 @@ impl OccludedRays<'_> {
 
     /// True if one ray hits anything below a child of a node.
     #[inline(always)]
-    fn alone<S: Simd>(&self, simd: S, local: &LocalBundle, child: Child, ray: usize) -> bool {
+    fn alone<S: Simd>(&self, simd: S, local: &LocalBundle<'_>, child: Child, ray: usize) -> bool {
         let search = Occluded {
             tree: self.tree,
             instructions: self.instructions,
@@ -299,11 +308,11 @@ impl OccludedRays<'_> {
 
 /// The rays, for spheres.
 #[inline(always)]
-fn to_sphere(local: &LocalBundle) -> RaysToSphere<'_, impl Fn(usize) -> RayShear> {
+fn to_sphere<'a>(local: &'a LocalBundle<'_>) -> RaysToSphere<'a, impl Fn(usize) -> RayShear> {
     RaysToSphere {
-        origin: &local.origin,
-        direction: &local.direction,
-        t_min: &local.range[0],
+        origin: local.origin,
+        direction: local.direction,
+        t_min: local.range[0],
         shear: |ray| local.shear(ray),
     }
 }

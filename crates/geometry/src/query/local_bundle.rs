@@ -12,12 +12,19 @@ use crate::simd::Simd;
 pub type Numbers = [f64; BUNDLE];
 /// In single precision.
 pub type Singles = [f32; BUNDLE];
+/// The rays of a bundle in the world, with one that is asked for in the place of each that is not.
+pub struct Filled {
+    origin: [Numbers; 3],
+    direction: [Numbers; 3],
+    range: [Numbers; 2],
+}
+
 /// The rays of a bundle, see [`LocalRay`]. Numbers of rays without a bit in the mask mean nothing.
-pub struct LocalBundle {
-    /// The rays in the world, with those that are asked for in the place of others.
-    pub origin: [Numbers; 3],
-    pub direction: [Numbers; 3],
-    pub range: [Numbers; 2],
+pub struct LocalBundle<'a> {
+    /// The rays in the world, all of which are some that are asked for.
+    pub origin: &'a [Numbers; 3],
+    pub direction: &'a [Numbers; 3],
+    pub range: [&'a Numbers; 2],
     /// Those that pass through the tree.
     pub mask: u32,
     /// True if no number of any ray is infinite or NaN, but for ends.
@@ -35,14 +42,56 @@ pub struct LocalBundle {
     pub margin: Numbers,
 }
 
-impl LocalBundle {
-    /// The rays in the coordinates of a tree: [`LocalRay::new`] for all.
+impl Filled {
+    /// The rays of a bundle, for which there is room where not all are asked for.
     #[inline(always)]
-    pub fn new(frame: &LocalFrame, rays: &Bundle<'_>) -> Self {
-        let mut local = Self {
+    pub fn all<'a>(room: &'a mut Option<Self>, rays: &Bundle<'a>) -> Bundle<'a> {
+        if rays.mask == u32::MAX >> (32 - BUNDLE) {
+            return *rays;
+        }
+        let filled = room.insert(Self {
             origin: *rays.origin,
             direction: *rays.direction,
             range: [*rays.range[0], *rays.range[1]],
+        });
+        filled.fill(rays.mask);
+        Bundle {
+            origin: &filled.origin,
+            direction: &filled.direction,
+            range: filled.range.each_ref(),
+            mask: rays.mask,
+        }
+    }
+
+    #[inline(always)]
+    fn fill(&mut self, mask: u32) {
+        let first = mask.trailing_zeros() as usize % BUNDLE;
+        let mut is_asked = [0_u64; BUNDLE];
+        for (ray, is_asked) in is_asked.iter_mut().enumerate() {
+            *is_asked = u64::from(mask >> ray & 1);
+        }
+        let Self {
+            origin: [ox, oy, oz],
+            direction: [dx, dy, dz],
+            range: [near, far],
+        } = self;
+        for numbers in [ox, oy, oz, dx, dy, dz, near, far] {
+            let of_first = numbers[first];
+            for ray in 0..BUNDLE {
+                numbers[ray] = select(is_asked[ray] != 0, numbers[ray], of_first);
+            }
+        }
+    }
+}
+
+impl<'a> LocalBundle<'a> {
+    /// The rays in the coordinates of a tree: [`LocalRay::new`] for all, where they are [`Filled::all`].
+    #[inline(always)]
+    pub fn new(frame: &LocalFrame, rays: &Bundle<'a>) -> Self {
+        let mut local = Self {
+            origin: rays.origin,
+            direction: rays.direction,
+            range: rays.range,
             mask: rays.mask,
             is_finite: false,
             fastest: [0; 3],
@@ -55,9 +104,8 @@ impl LocalBundle {
             local_per_world: [0.0; BUNDLE],
             margin: [0.0; BUNDLE],
         };
-        local.fill();
         let centre = frame.centre.to_array();
-        let [dx, dy, dz] = &local.direction;
+        let [dx, dy, dz] = local.direction;
         let mut from = [[0.0; BUNDLE]; 3];
         let mut speeds = [0.0; BUNDLE];
         for (axis, from) in from.iter_mut().enumerate() {
@@ -130,37 +178,12 @@ impl LocalBundle {
         local
     }
 
-    /// Puts one that is asked for in the place of each that is not.
-    #[inline(always)]
-    fn fill(&mut self) {
-        if self.mask == u32::MAX >> (32 - BUNDLE) {
-            return;
-        }
-        let first = self.mask.trailing_zeros() as usize % BUNDLE;
-        let mut is_asked = [0_u64; BUNDLE];
-        for (ray, is_asked) in is_asked.iter_mut().enumerate() {
-            *is_asked = u64::from(self.mask >> ray & 1);
-        }
-        let Self {
-            origin: [ox, oy, oz],
-            direction: [dx, dy, dz],
-            range: [near, far],
-            ..
-        } = self;
-        for numbers in [ox, oy, oz, dx, dy, dz, near, far] {
-            let of_first = numbers[first];
-            for ray in 0..BUNDLE {
-                numbers[ray] = select(is_asked[ray] != 0, numbers[ray], of_first);
-            }
-        }
-    }
-
     /// A ray in the world, up to a distance.
     #[inline(always)]
     pub fn ray(&self, ray: usize, t_max: f64) -> Ray {
         Ray {
-            origin: vector(&self.origin, ray),
-            direction: vector(&self.direction, ray),
+            origin: vector(self.origin, ray),
+            direction: vector(self.direction, ray),
             t_min: self.range[0][ray],
             t_max,
         }
@@ -201,7 +224,7 @@ impl LocalBundle {
             local_per_world: self.local_per_world[ray],
             margin,
         };
-        LocalRay::within(simd, self.shear(ray), vector(&self.origin, ray), &within)
+        LocalRay::within(simd, self.shear(ray), vector(self.origin, ray), &within)
     }
 
     /// [`LocalRay::limit`] of a ray.
