@@ -56,7 +56,7 @@ use lobes::LaneLobes;
 use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING, asked_slots};
 use step::{Brdf, Vertices};
-use vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
+use vectors::{LANES, Numbers, Vectors, lanes_of};
 
 /// The effort of a sample besides its rays.
 const EFFORT_OF_LANE: u64 = 10;
@@ -315,7 +315,7 @@ impl<'a> LaneTracer<'a> {
         if !self.plan.reaches(1) || self.plan.hide_emitters {
             return;
         }
-        let missed = mask_of(mask, |lane| paths.faces[lane] == NOTHING);
+        let missed = paths.alike.missed & mask;
         let directions = &paths.vertices.direction;
         (self.lights).see_sky(self.instructions, directions, missed, &mut paths.sky);
         for (face, lanes) in paths.alike.of(mask) {
@@ -537,7 +537,7 @@ impl<'a> LaneTracer<'a> {
         self.pass(paths, faces, active);
         paths.alike = self.alike(&paths.faces, active);
         self.count_rays(paths, active);
-        let missed = mask_of(active, |lane| paths.faces[lane] == NOTHING);
+        let missed = paths.alike.missed;
         let directions = &paths.drawn.direction;
         (self.lights).see_sky(instructions, directions, missed, &mut paths.sky);
         let alike = paths.alike;

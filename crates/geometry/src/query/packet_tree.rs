@@ -163,6 +163,12 @@ impl PacketTree {
             && (0..corners.len()).all(|i| (0..i).all(|k| are_apart(i, k) && are_apart(k, i)))
     }
 
+    /// True if rays need ranges that tell whether they meet again the spheres on which they start or
+    /// end.
+    pub fn has_spheres(&self) -> bool {
+        !self.spheres.is_empty()
+    }
+
     /// Which instructions it runs on.
     pub fn instructions(&self) -> Instructions {
         self.instructions

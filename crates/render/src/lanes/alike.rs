@@ -2,6 +2,7 @@
 
 use capwalk_geometry::simd::{Computation, Simd};
 
+use crate::lanes::scene::NOTHING;
 use crate::lanes::vectors::LANES;
 
 /// The face that lanes hit, or most of them where rays are coherent.
@@ -10,6 +11,8 @@ pub struct Alike {
     faces: [u32; LANES],
     /// Those that hit the first one's face.
     same: u32,
+    /// Those that hit nothing.
+    pub missed: u32,
 }
 
 impl Alike {
@@ -17,6 +20,7 @@ impl Alike {
     pub const NONE: Self = Self {
         faces: [0; LANES],
         same: 0,
+        missed: 0,
     };
 
     /// Faces, each with some lanes that hit it: those of the first face together, others one by one, all
@@ -50,13 +54,15 @@ impl Computation for FindAlike<'_> {
     fn run<S: Simd>(self, _: S) -> Alike {
         let Self { faces, lanes } = self;
         let first = faces[lanes.trailing_zeros() as usize % LANES];
-        let mut same = 0;
+        let (mut same, mut missed) = (0, 0);
         for (lane, &face) in faces.iter().enumerate() {
             same |= u32::from(face == first) << lane;
+            missed |= u32::from(face == NOTHING) << lane;
         }
         Alike {
             faces: *faces,
             same: same & lanes,
+            missed: missed & lanes,
         }
     }
 }
@@ -79,6 +85,8 @@ mod tests {
             });
             for some in [ALL, 0x0ff0] {
                 let mut found = 0;
+                let missed = lanes_of(lanes & some).filter(|&lane| faces[lane] == NOTHING);
+                assert!(missed.eq(lanes_of(alike.missed & some)));
                 for (face, of_face) in alike.of(lanes & some) {
                     assert_eq!(found & of_face, 0);
                     found |= of_face;

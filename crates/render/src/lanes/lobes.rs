@@ -139,7 +139,7 @@ impl<'a> LaneLobes<'a> {
         find: impl FnOnce(&mut LocalBsdf) -> Option<bool>,
     ) -> Option<f64> {
         let lobes = self.surfaces.own[lane].get_or_insert_default();
-        lobes.bsdf = LocalBsdf::default();
+        lobes.bsdf.clear();
         let flipped = find(&mut lobes.bsdf)?;
         lobes.describe(flipped);
         if let Some(rough) = lobes.rough.take() {

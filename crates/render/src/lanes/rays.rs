@@ -29,6 +29,10 @@ const EFFORT_OF_LEVEL: u64 = 2;
 pub struct Meets<'a> {
     accel: &'a Accel,
     packets: Option<PacketTree>,
+    /// True if rays know by themselves the surfaces on which they start and end: planes, in packets.
+    are_planes_known: bool,
+    /// Where rays start that do not meet again the surfaces on which they begin.
+    beyond_surfaces: Numbers,
     levels: u64,
 }
 
@@ -55,7 +59,9 @@ impl<'a> Meets<'a> {
         };
         Self {
             accel,
+            are_planes_known: (packets.as_ref()).is_some_and(|tree| !tree.has_spheres()),
             packets,
+            beyond_surfaces: [accel.horizon_distance(); LANES],
             levels: u64::from(pieces.max(1).ilog2() + 2),
         }
     }
@@ -75,15 +81,16 @@ impl<'a> Meets<'a> {
 
     /// The nearest face that each ray meets, of those that are asked for.
     pub fn first_hits(&self, rays: &LaneRays<'_>) -> [u32; LANES] {
-        let range = match rays.from_surfaces {
-            true => [[self.accel.horizon_distance(); LANES], rays.range[1]],
-            false => *rays.range,
+        let [start, end] = rays.range.each_ref();
+        let range = match rays.from_surfaces && !self.are_planes_known {
+            true => [&self.beyond_surfaces, end],
+            false => [start, end],
         };
         if let Some(tree) = &self.packets {
-            return tree.first_hits(&rays.bundle(&range));
+            return tree.first_hits(&rays.bundle(range));
         }
         if !self.accel.has_flush_emitters() {
-            return self.accel.rays().first_hits(&rays.bundle(&range));
+            return self.accel.rays().first_hits(&rays.bundle(range));
         }
         let mut faces = [NOTHING; LANES];
         for lane in lanes_of(rays.mask) {
@@ -100,11 +107,19 @@ impl<'a> Meets<'a> {
 
     /// One bit for each ray that meets something before its end.
     pub fn occluded(&self, rays: &LaneRays<'_>) -> u32 {
-        let range = self.accel.ranges_to_targets(&rays.range[1]);
-        if let Some(tree) = &self.packets {
-            return tree.occluded(&rays.bundle(&range));
+        let shorter;
+        let range = match self.are_planes_known {
+            true => rays.range,
+            false => {
+                shorter = self.accel.ranges_to_targets(&rays.range[1]);
+                &shorter
+            }
+        };
+        let bundle = rays.bundle(range.each_ref());
+        match &self.packets {
+            Some(tree) => tree.occluded(&bundle),
+            None => self.accel.rays().occluded_rays(&bundle),
         }
-        self.accel.rays().occluded_rays(&rays.bundle(&range))
     }
 }
 
@@ -121,11 +136,11 @@ fn packets(accel: &Accel) -> Option<PacketTree> {
 
 impl LaneRays<'_> {
     /// The rays, between some distances.
-    fn bundle<'b>(&'b self, range: &'b [Numbers; 2]) -> Bundle<'b> {
+    fn bundle<'b>(&'b self, range: [&'b Numbers; 2]) -> Bundle<'b> {
         Bundle {
             origin: &self.origin.0,
             direction: &self.direction.0,
-            range: range.each_ref(),
+            range,
             mask: self.mask,
         }
     }

@@ -10,7 +10,7 @@ use capwalk_scene::lobe::{Distribution, Microfacets, RoughSurface};
 
 use crate::lanes::frames::LaneFrames;
 use crate::lanes::step::weight_over_density;
-use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of, mask_of};
+use crate::lanes::vectors::{LANES, Numbers, Vectors, lanes_of};
 
 /// The rough surfaces, coordinate by coordinate.
 #[derive(Debug)]
@@ -188,7 +188,11 @@ impl Computation for DrawFacets<'_, '_> {
             lanes,
             directions,
         } = self;
-        let drawn = mask_of(lanes, |lane| choice[lane] >= rough.base_probability[lane]);
+        let mut drawn = 0;
+        for (lane, &base) in rough.base_probability.iter().enumerate() {
+            drawn |= u32::from(choice[lane] >= base) << lane;
+        }
+        drawn &= lanes;
         if drawn == 0 {
             return lanes;
         }

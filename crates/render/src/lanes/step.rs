@@ -11,7 +11,7 @@ use capwalk_scene::lobe::sample_cosine;
 use capwalk_scene::sensor::view::View;
 
 use crate::lanes::lit::Lit;
-use crate::lanes::vectors::{ALL, LANES, Numbers, Vectors, fill, mask_of};
+use crate::lanes::vectors::{LANES, Numbers, Vectors, fill};
 use crate::light::NARROW;
 use crate::triangle_sampler::Node;
 
@@ -249,7 +249,11 @@ impl Computation for Narrow<'_> {
         for (lane, solid_angle) in solid_angles.iter_mut().enumerate() {
             *solid_angle = emitter.seen(vertices.position.get(lane));
         }
-        mask_of(ALL, |lane| solid_angles[lane] < NARROW)
+        let mut narrow = 0;
+        for (lane, solid_angle) in solid_angles.into_iter().enumerate() {
+            narrow |= u32::from(solid_angle < NARROW) << lane;
+        }
+        narrow
     }
 }
 
@@ -424,6 +428,7 @@ mod tests {
     use capwalk_scene::primitive::rectangle;
 
     use super::*;
+    use crate::lanes::vectors::ALL;
     use crate::light::power_heuristic;
     use crate::prepared::PreparedScene;
     use crate::triangle_sampler::TriangleSampler;

@@ -6,6 +6,7 @@ use capwalk_math::{Rgb, Vec3};
 pub const LANES: usize = 16;
 
 /// One bit for each lane.
+#[cfg(test)]
 pub const ALL: u32 = (1 << LANES) - 1;
 
 /// A number of each lane.

@@ -7,7 +7,7 @@ use capwalk_math::{Real, Rgb, Vec3};
 
 use super::bsdf::Bsdf;
 use super::fields::FieldMap;
-use super::lobe::{self, Lobe, Principled, RoughTransmittance, Side, Tilt};
+use super::lobe::{self, Lobe, Microfacets, Principled, RoughTransmittance, Side, Tilt};
 use super::number::{Circumstances, Derived, Indices, PrincipledIndex};
 use super::plain::RoughCoat;
 use super::traits::Composition;
@@ -280,6 +280,20 @@ impl<R: Real, T: TexturesAt<R>> FieldMap<TextureId, R> for AtPoint<'_, R, T> {
     #[inline]
     fn number(&mut self, it: &TextureId) -> R {
         number(self.scene, *it, self.textures)
+    }
+
+    /// What is rough alike in all directions has one texture, which is looked up once.
+    #[inline]
+    fn facets(&mut self, it: &Microfacets<TextureId>) -> Microfacets<R> {
+        let alpha_u: R = self.number(&it.alpha_u);
+        Microfacets {
+            distribution: it.distribution,
+            alpha_u,
+            alpha_v: match it.alpha_v == it.alpha_u {
+                true => alpha_u,
+                false => self.number(&it.alpha_v),
+            },
+        }
     }
 
     #[inline]

@@ -75,6 +75,13 @@ impl<R: Real> LocalBsdf<R> {
     /// How many lobes there is place for.
     pub const MAX_LOBES: usize = 4;
 
+    /// Removes all lobes; writes less than a new one would.
+    pub fn clear(&mut self) {
+        self.lobes.iter_mut().for_each(|lobe| *lobe = None);
+        self.tilts.iter_mut().for_each(|tilt| *tilt = None);
+        (self.is_explored, self.side) = ([false; 4], None);
+    }
+
     /// Adds a lobe.
     ///
     /// # Panics
