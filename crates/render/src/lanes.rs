@@ -3,12 +3,12 @@
 //! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
 //! compares them one by one. (But rectangles are always sampled by solid angle, also where they are
 //! seen under less than a millionth of a steradian.) Paths advance together, stage by stage: rays,
-//! surfaces, directions towards emitters, directions drawn from the surfaces. Points on rectangles,
-//! diffuse surfaces, rough metal and rough plastic are evaluated in loops over the lanes without a
-//! branch, of which the compiler makes vectors; other emitters and lobes one by one, by the functions
-//! that [`Tracer`] calls.
+//! surfaces, directions towards emitters, directions drawn from the surfaces. Rectangles, lamps that are
+//! points, environment maps, diffuse surfaces, rough metal and rough plastic are evaluated in loops over
+//! the lanes without a branch, of which the compiler makes vectors; other emitters and lobes one by one,
+//! by the functions that [`Tracer`] calls.
 //!
-//! In scenes of few faces rays come in packets, whose arithmetic is in single precision
+//! In scenes of few faces and spheres rays come in packets, whose arithmetic is in single precision
 //! ([`capwalk_geometry::PacketTree`]): a ray that passes an edge within a millionth of the scene may
 //! find another face than it does in [`Tracer`]. Scenes in which that could be seen have bundles of rays
 //! ([`capwalk_geometry::Bundle`]), which find the same: those with thin faces, surfaces close to each
