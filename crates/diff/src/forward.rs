@@ -11,8 +11,8 @@ use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Stream};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
 use capwalk_render::{
-    Grid, LaneTracer, MotionFacts, Part, PartError, Partial, PathAdjoint, PreparedScene,
-    RenderOptions, SceneEval, Statistics, Tracer, Watch, adaptive,
+    Differentiator, Grid, LaneTracer, MotionFacts, Part, PartError, Partial, PathAdjoint,
+    PreparedScene, RenderOptions, SceneEval, Statistics, Tracer, Watch, adaptive,
 };
 use capwalk_scene::{Tangent, TextureId, fingerprint};
 
@@ -278,7 +278,7 @@ fn take_together(
     let mut derivatives = vec![Rgb::zero(); places.len()];
     let covectors = vec![Rgb::splat(1.0); places.len()];
     let mut efforts = vec![0; places.len()];
-    lanes.differentiate(places, &covectors, &mut samples, |sample, on_path| {
+    Differentiator::new(lanes).take(places, &covectors, &mut samples, |sample, on_path| {
         efforts[sample] += EFFORT_OF_ADJOINT;
         let velocity = |texture, index| eval.texel(texture, index).tangent(0);
         derivatives[sample] += match on_path {

@@ -14,8 +14,8 @@ use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles::{self, Sample, SamplePlace};
 use capwalk_render::{
-    Accumulate, Along, Grid, LaneTracer, MotionFacts, OrderedSum, Part, PartError, Partial,
-    PathAdjoint, PreparedScene, Statistics, Tracer, Unwatched, Watch,
+    Accumulate, Along, Differentiator, Grid, LaneTracer, MotionFacts, OrderedSum, Part, PartError,
+    Partial, PathAdjoint, PreparedScene, Statistics, Tracer, Unwatched, Watch,
 };
 use capwalk_scene::{Gradient, Image, Scene, Tangent, TextureId, fingerprint, memory};
 use rayon::prelude::*;
@@ -558,6 +558,7 @@ impl Pass<'_> {
     /// work is stopped.
     fn bands(&self, samples: Range<u32>, bands: &[u32]) -> Vec<BatchSums> {
         let mut memory = Memory::default();
+        let mut together = self.lanes.map(Differentiator::new);
         let mut sums: Vec<BatchSums> = bands.iter().map(|&band| self.nothing(band)).collect();
         let pixels: usize = bands.iter().map(|&band| self.pixels(band).len()).sum();
         for number in samples {
@@ -568,8 +569,10 @@ impl Pass<'_> {
             let before = (pixels > FEW_PIXELS).then(|| sums.clone());
             let can_stop = before.is_some();
             let mut all = bands.iter().zip(&mut sums);
-            let is_whole = all
-                .all(|(&band, sums)| self.add_samples(band, number, sums, &mut memory, can_stop));
+            let is_whole = all.all(|(&band, sums)| {
+                let together = together.as_mut();
+                self.add_samples(together, band, number, sums, &mut memory, can_stop)
+            });
             if let Some(before) = before.filter(|_| !is_whole) {
                 return before;
             }
@@ -580,6 +583,7 @@ impl Pass<'_> {
     /// Adds a sample of each pixel of a band; false if it can be stopped there and was.
     fn add_samples(
         &self,
+        together: Option<&mut Differentiator<'_>>,
         band: u32,
         number: u32,
         sums: &mut BatchSums,
@@ -588,13 +592,13 @@ impl Pass<'_> {
     ) -> bool {
         let pixels = self.pixels(band);
         let work = pixels.len() as u64;
-        if let Some(lanes) = self.lanes {
+        if let Some(together) = together {
             for first in pixels.clone().step_by(LOOK_UP) {
                 if can_stop && self.watch.should_stop() {
                     return false;
                 }
                 let some = first..pixels.end.min(first + LOOK_UP);
-                self.add_together(lanes, some, number, sums, memory);
+                self.add_together(together, some, number, sums, memory);
             }
         }
         for pixel in pixels.filter(|_| self.lanes.is_none()) {
@@ -625,7 +629,7 @@ impl Pass<'_> {
     /// Adds a sample of each of some pixels in which nothing moves.
     fn add_together(
         &self,
-        lanes: &LaneTracer<'_>,
+        together: &mut Differentiator<'_>,
         pixels: Range<usize>,
         number: u32,
         sums: &mut BatchSums,
@@ -651,7 +655,7 @@ impl Pass<'_> {
         on_scene.resize(LOOK_UP, Vec::new());
         on_scene.iter_mut().for_each(Vec::clear);
         taken.clear();
-        lanes.differentiate(places, on_light, taken, |sample, on_path| {
+        together.take(places, on_light, taken, |sample, on_path| {
             self.pull_back(on_path, tape, adjoints, &mut on_scene[sample]);
         });
         for covectors in &*on_scene {

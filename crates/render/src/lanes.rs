@@ -49,7 +49,8 @@ use crate::radiance::{RR_MAX, RR_MIN};
 use crate::tiles::{Sample, SamplePlace};
 use crate::tracer::Tracer;
 use alike::{Alike, FindAlike};
-use kept::Step;
+pub use gradient::Differentiator;
+use kept::{Step, Steps};
 use lights::{LaneChoices, LaneLights};
 use lit::{Lit, SeenEmitter, SkyPoint};
 use lobes::LaneLobes;
@@ -93,13 +94,13 @@ struct Paths<'a> {
     /// How many rays each has taken.
     rays: [u64; LANES],
     /// Their vertices, if light is to be differentiated, and what the camera sees of emitters.
-    steps: Option<Vec<Step>>,
+    steps: Option<Steps>,
     seen: [Option<(EmitterId, SeenEmitter)>; LANES],
 }
 
 /// The vertex that is sampled at, if light is to be differentiated.
-fn last_step(steps: &mut Option<Vec<Step>>) -> Option<&mut Step> {
-    steps.as_mut()?.last_mut()
+fn last_step(steps: &mut Option<Steps>) -> Option<&mut Step> {
+    steps.as_mut()?.last()
 }
 
 impl Paths<'_> {
@@ -128,9 +129,7 @@ impl Paths<'_> {
         let (vertices, with_lobes) = (&self.vertices, self.lobes.with_lobes);
         if let Some(steps) = &mut self.steps {
             let throughput = &self.throughput;
-            steps.push(Step::new(
-                active, self.faces, vertices, throughput, with_lobes,
-            ));
+            steps.push(active, self.faces, vertices, throughput, with_lobes);
         }
     }
 

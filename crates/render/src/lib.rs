@@ -66,7 +66,7 @@ pub use emitter_sampler::{DirectionSampler, EmitterSampler};
 pub use estimate::{Dips, Estimate, Rendering, Statistics};
 pub use grid::{Cell, Grid, Part};
 pub use image::{RenderWork, render};
-pub use lanes::LaneTracer;
+pub use lanes::{Differentiator, LaneTracer};
 pub use motion_facts::MotionFacts;
 pub use options::{RenderOptions, Silent, Unwatched, Watch};
 pub use ordered_sum::{Accumulate, CannotMerge, OrderedSum};

@@ -9,19 +9,32 @@
 
 use capwalk_math::Rgb;
 
-use crate::lanes::kept::Step;
+use crate::lanes::kept::{Step, Steps};
 use crate::lanes::scattered::{Arriving, Place};
 use crate::lanes::vectors::LANES;
 use crate::lanes::{LaneTracer, Paths};
 use crate::path_adjoint::PathAdjoint;
 use crate::tiles::{Sample, SamplePlace};
 
-impl LaneTracer<'_> {
+/// Takes samples of some places after others, and differentiates their light.
+pub struct Differentiator<'a> {
+    tracer: &'a LaneTracer<'a>,
+    /// In memory that is used again.
+    paths: Option<Paths<'a>>,
+}
+
+impl<'a> Differentiator<'a> {
+    /// Differentiates the samples of a tracer that was made for it.
+    pub fn new(tracer: &'a LaneTracer<'a>) -> Self {
+        let paths = None;
+        Self { tracer, paths }
+    }
+
     /// Appends the samples of some places, and calls `depends` with all numbers on which their light
     /// depends and that are asked for, for each with the number of the sample. `covectors` are those
     /// on the samples' light.
-    pub fn differentiate(
-        &self,
+    pub fn take(
+        &mut self,
         places: &[SamplePlace],
         covectors: &[Rgb],
         taken: &mut Vec<Sample<3>>,
@@ -30,18 +43,23 @@ impl LaneTracer<'_> {
         let Some(first) = places.first() else {
             return;
         };
-        let mut paths = Paths::new(first.stream, &self.lights);
-        paths.steps = Some(Vec::new());
+        let tracer = self.tracer;
+        let paths = self.paths.get_or_insert_with(|| Paths {
+            steps: Some(Steps::default()),
+            ..Paths::new(first.stream, &tracer.lights)
+        });
         let chunks = places.chunks(LANES).zip(covectors.chunks(LANES));
         for (chunk, (places, covectors)) in chunks.enumerate() {
-            let weights = self.take_some(places, &mut paths, taken);
+            let weights = tracer.take_some(places, paths, taken);
             for (lane, (&covector, weight)) in covectors.iter().zip(weights).enumerate() {
                 let depends = &mut |adjoint| depends(chunk * LANES + lane, adjoint);
-                self.pull(&paths, lane, covector * weight, depends);
+                tracer.pull(paths, lane, covector * weight, depends);
             }
         }
     }
+}
 
+impl LaneTracer<'_> {
     /// Through the vertices of a path, last first.
     fn pull(
         &self,
@@ -52,7 +70,7 @@ impl LaneTracer<'_> {
     ) {
         // What the vertex behind sends back.
         let mut behind = Rgb::zero();
-        let steps = paths.steps.iter().flatten().rev();
+        let steps = paths.steps.iter().flat_map(Steps::all).rev();
         for step in steps.filter(|step| step.active >> lane & 1 == 1) {
             behind = self.pull_step(step, lane, covector, behind, depends);
         }
@@ -106,7 +124,7 @@ impl LaneTracer<'_> {
             let direction = step.drawn.direction.get(lane);
             let factor = vertices.scattered.colour(lane);
             let mut arriving = behind * (1.0 / step.survival[lane]);
-            if let Some((emitter, seen)) = &step.met[lane] {
+            if let Some((emitter, seen)) = step.met(lane) {
                 let weight = step.met_weight[lane];
                 arriving += step.met_radiance.colour(lane) * weight;
                 let covector = on_light * factor * weight;

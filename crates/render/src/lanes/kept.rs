@@ -5,6 +5,7 @@ use capwalk_scene::EmitterId;
 use capwalk_scene::lobe::Specular;
 
 use crate::lanes::lit::{Lit, SeenEmitter};
+use crate::lanes::scene::NOTHING;
 use crate::lanes::step::{Brdf, Vertices};
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 
@@ -26,41 +27,83 @@ pub struct Step {
     /// One bit for each that an emitter lights, and what is scattered of that.
     pub is_lit: u32,
     pub lit_scattered: Vectors,
-    /// What emits that the drawn directions lead to.
-    pub met: [Option<(EmitterId, SeenEmitter)>; LANES],
+    /// One bit for each whose drawn direction leads to what emits, and that.
+    is_met: u32,
+    met: [(EmitterId, SeenEmitter); LANES],
     pub met_radiance: Vectors,
     pub met_weight: Numbers,
     pub survival: Numbers,
 }
 
-impl Step {
-    /// A vertex that paths reach, before anything is sampled there.
-    pub fn new(
+/// The vertices of sixteen paths, in memory that is used again: a vertex has thousands of numbers.
+#[derive(Default)]
+pub struct Steps {
+    steps: Vec<Step>,
+    count: usize,
+}
+
+impl Steps {
+    /// Removes all.
+    pub fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    /// Adds a vertex that paths reach, before anything is sampled there.
+    pub fn push(
+        &mut self,
         active: u32,
         faces: [u32; LANES],
         vertices: &Vertices,
         throughput: &Vectors,
         with_lobes: u32,
-    ) -> Self {
+    ) {
+        if self.count == self.steps.len() {
+            self.steps.push(Step::default());
+        }
+        // What has no bit is not read.
+        let step = &mut self.steps[self.count];
+        (step.active, step.faces, step.with_lobes) = (active, faces, with_lobes);
+        (step.vertices, step.throughput) = (*vertices, *throughput);
+        (step.is_lit, step.is_drawn, step.is_met) = (0, 0, 0);
+        step.survival = [1.0; LANES];
+        self.count += 1;
+    }
+
+    /// The vertex that is sampled at.
+    pub fn last(&mut self) -> Option<&mut Step> {
+        self.steps[..self.count].last_mut()
+    }
+
+    /// All, in the order of the paths.
+    pub fn all(&self) -> &[Step] {
+        &self.steps[..self.count]
+    }
+}
+
+impl Default for Step {
+    fn default() -> Self {
         Self {
-            active,
-            faces,
-            vertices: *vertices,
+            active: 0,
+            faces: [NOTHING; LANES],
+            vertices: Vertices::NONE,
             drawn: Brdf::default(),
             is_drawn: 0,
             events: [None; LANES],
-            with_lobes,
-            throughput: *throughput,
+            with_lobes: 0,
+            throughput: Vectors::ZERO,
             lit: Lit::default(),
             is_lit: 0,
             lit_scattered: Vectors::ZERO,
-            met: [None; LANES],
+            is_met: 0,
+            met: [(EmitterId(0), SeenEmitter::default()); LANES],
             met_radiance: Vectors::ZERO,
             met_weight: [0.0; LANES],
             survival: [1.0; LANES],
         }
     }
+}
 
+impl Step {
     /// Light towards which directions were drawn, and what of it is scattered.
     pub fn set_lit(&mut self, seen: u32, lit: &Lit, scattered: &Vectors) {
         self.lit = lit.clone();
@@ -76,9 +119,15 @@ impl Step {
         radiance: Rgb,
         weight: f64,
     ) {
-        self.met[lane] = Some(met);
+        self.is_met |= 1 << lane;
+        self.met[lane] = met;
         self.met_radiance.set_colour(lane, radiance);
         self.met_weight[lane] = weight;
+    }
+
+    /// What the drawn direction of a lane meets that emits.
+    pub fn met(&self, lane: usize) -> Option<&(EmitterId, SeenEmitter)> {
+        (self.is_met >> lane & 1 == 1).then(|| &self.met[lane])
     }
 
     /// Directions that were drawn.
