@@ -35,8 +35,8 @@ pub use local_frame::LocalFrame;
 pub use mesh::{Mesh, MeshError};
 pub use query::buffers;
 pub use query::{
-    BUNDLE, Bundle, ConeQuery, EdgeSelection, EdgeSubset, HalfSpace, PacketTree, RayTree,
-    SilhouettePoint, SilhouetteTree, Sphere,
+    BUNDLE, Bundle, ConeQuery, EdgeSelection, EdgeSubset, HalfSpace, MeshSphere, PacketTree,
+    RayTree, SilhouettePoint, SilhouetteTree,
 };
 pub use ray::{Hit, Ray};
 pub use shown::shown;

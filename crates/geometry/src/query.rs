@@ -44,4 +44,4 @@ pub use edge_subset::EdgeSubset;
 pub use packet_tree::PacketTree;
 pub use ray_tree::RayTree;
 pub use silhouette_tree::SilhouetteTree;
-pub use sphere::Sphere;
+pub use sphere::MeshSphere;

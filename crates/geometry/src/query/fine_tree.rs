@@ -10,7 +10,7 @@ use rayon::prelude::*;
 
 use super::pieces::Pieces;
 use super::ray_kernel::{RayNode, TriangleBlock};
-use super::sphere::Sphere;
+use super::sphere::MeshSphere;
 use super::triangle_tree::{Part, SpherePart, TriangleTree};
 use crate::aabb::Aabb;
 use crate::bvh::{Child, ChildKind, Hierarchy, WIDTH, child_bounds, child_leaves};
@@ -106,7 +106,7 @@ struct Cut<'a> {
 enum CutPart {
     /// A tree over these pieces.
     Tree(Vec<u32>),
-    Sphere(Arc<Sphere>),
+    Sphere(Arc<MeshSphere>),
 }
 
 impl Cut<'_> {

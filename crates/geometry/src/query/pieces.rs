@@ -8,7 +8,7 @@ use capwalk_math::Vec3;
 use rayon::prelude::*;
 
 use super::ray_kernel::LANES;
-use super::sphere::Sphere;
+use super::sphere::MeshSphere;
 use crate::aabb::Aabb;
 use crate::bvh::{Hierarchy, Leaves, Splits, build};
 use crate::halt::Halt;
@@ -20,7 +20,7 @@ use crate::mesh::Mesh;
 pub struct Pieces<'a> {
     pub mesh: &'a Mesh,
     /// In the order of their faces.
-    pub spheres: &'a [Arc<Sphere>],
+    pub spheres: &'a [Arc<MeshSphere>],
 }
 
 impl<'a> Pieces<'a> {
@@ -74,7 +74,7 @@ impl<'a> Pieces<'a> {
     }
 
     /// The sphere that a leaf with these pieces has, if it is no block of triangles.
-    pub fn sphere_in(&self, leaf: &[u32]) -> Option<&'a Arc<Sphere>> {
+    pub fn sphere_in(&self, leaf: &[u32]) -> Option<&'a Arc<MeshSphere>> {
         match leaf {
             [piece] => self.sphere(*piece),
             _ => None,
@@ -92,7 +92,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    fn sphere(&self, piece: u32) -> Option<&'a Arc<Sphere>> {
+    fn sphere(&self, piece: u32) -> Option<&'a Arc<MeshSphere>> {
         let place = self
             .spheres
             .binary_search_by_key(&piece, |sphere| sphere.faces().start);

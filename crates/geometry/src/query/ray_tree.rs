@@ -16,7 +16,7 @@ use super::fine_tree::{fine_tree, has_unresolved};
 use super::pieces::Pieces;
 use super::ray_kernel::{RayNode, TriangleBlock};
 use super::ray_search::{FirstHit, Occluded};
-use super::sphere::Sphere;
+use super::sphere::MeshSphere;
 use super::triangle_tree::{Part, SpherePart, TriangleTree};
 use crate::bvh::{Child, ChildKind, Hierarchy, SurfaceCost, child_bounds};
 use crate::effort::{RAY, add_effort_of};
@@ -36,7 +36,7 @@ pub struct RayTree {
     face_count: usize,
     /// Over the pieces of the mesh.
     pub(super) hierarchy: Hierarchy,
-    pub(super) spheres: Vec<Arc<Sphere>>,
+    pub(super) spheres: Vec<Arc<MeshSphere>>,
     /// All of it, with no parts but the spheres.
     pub(super) flat: TriangleTree,
     /// The tree that is searched in its place, if single precision does not tell the triangles of
@@ -56,11 +56,15 @@ impl RayTree {
 
     /// [`Self::build`], unless the work is given up.
     pub fn try_build(mesh: &Mesh, halt: &Halt) -> Result<Self, Halted> {
-        Self::with_spheres(mesh, Sphere::all(mesh, &[]), halt)
+        Self::with_spheres(mesh, MeshSphere::all(mesh, &[]), halt)
     }
 
     /// The tree of a mesh in which these are spheres.
-    fn with_spheres(mesh: &Mesh, spheres: Vec<Arc<Sphere>>, halt: &Halt) -> Result<Self, Halted> {
+    fn with_spheres(
+        mesh: &Mesh,
+        spheres: Vec<Arc<MeshSphere>>,
+        halt: &Halt,
+    ) -> Result<Self, Halted> {
         let pieces = Pieces {
             mesh,
             spheres: &spheres,
@@ -111,7 +115,7 @@ impl RayTree {
             self.follow(mesh, &Halt::never());
             return;
         }
-        let spheres = Sphere::all(mesh, &self.spheres);
+        let spheres = MeshSphere::all(mesh, &self.spheres);
         let new = Self::with_spheres(mesh, spheres, &Halt::never());
         *self = Self {
             triangles: std::mem::take(&mut self.triangles),
@@ -233,7 +237,7 @@ impl RayTree {
     }
 
     /// The sphere whose faces these are; `None` if they are not all those of one.
-    pub fn sphere_of(&self, faces: Range<u32>) -> Option<&Sphere> {
+    pub fn sphere_of(&self, faces: Range<u32>) -> Option<&MeshSphere> {
         let mut spheres = self.spheres.iter();
         spheres
             .find(|sphere| sphere.faces() == faces)

@@ -52,7 +52,7 @@ const MARGINS_OF_STEEP: f64 = 100.0;
 
 /// One of the spheres of a mesh.
 #[derive(Clone, Debug)]
-pub struct Sphere {
+pub struct MeshSphere {
     grid: Arc<SphereGrid>,
     first_face: u32,
     /// True if faces are wound the other way round.
@@ -71,7 +71,7 @@ pub struct Sphere {
     reach: f64,
 }
 
-impl Sphere {
+impl MeshSphere {
     /// The spheres of a mesh, in the order of their faces. Some had been found before it moved, whose
     /// tables are used again.
     pub fn all(mesh: &Mesh, before: &[Arc<Self>]) -> Vec<Arc<Self>> {

@@ -7,7 +7,7 @@ use super::bundle::BUNDLE;
 use super::local_bundle::Numbers;
 use super::passage::Passage;
 use super::ray_kernel::{Crossing, LANES, crossing};
-use super::sphere::Sphere;
+use super::sphere::MeshSphere;
 use crate::ray::RayShear;
 use crate::simd::{F64x4, Lanes, Simd};
 
@@ -27,7 +27,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
     pub fn first_hits<S: Simd>(
         &self,
         simd: S,
-        sphere: &Sphere,
+        sphere: &MeshSphere,
         rays: u32,
         t_max: &mut Numbers,
         faces: &mut [u32; BUNDLE],
@@ -51,7 +51,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
     pub fn occluded<S: Simd>(
         &self,
         simd: S,
-        sphere: &Sphere,
+        sphere: &MeshSphere,
         rays: u32,
         t_max: &Numbers,
     ) -> [u32; 2] {
@@ -73,7 +73,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
     fn intersect<S: Simd>(
         &self,
         simd: S,
-        sphere: &Sphere,
+        sphere: &MeshSphere,
         passages: &Passages,
         rays: u32,
         t_max: &mut Numbers,
@@ -215,7 +215,7 @@ impl Passages {
     /// Those of rays in the world, with the range of each.
     #[inline(always)]
     fn new(
-        sphere: &Sphere,
+        sphere: &MeshSphere,
         [ox, oy, oz]: &[Numbers; 3],
         [dx, dy, dz]: &[Numbers; 3],
         [t_min, t_max]: [&Numbers; 2],

@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use super::ray_kernel::{RayNode, TriangleBlock};
-use super::sphere::Sphere;
+use super::sphere::MeshSphere;
 use crate::aabb::Aabb;
 use crate::bvh::{Child, ChildKind, child_bounds};
 use crate::local_frame::LocalFrame;
@@ -32,12 +32,12 @@ pub enum Part {
 /// A sphere in a tree.
 #[derive(Clone, Debug)]
 pub struct SpherePart {
-    pub sphere: Arc<Sphere>,
+    pub sphere: Arc<MeshSphere>,
     tree: Arc<OnceLock<TriangleTree>>,
 }
 
 impl SpherePart {
-    pub fn new(sphere: Arc<Sphere>) -> Self {
+    pub fn new(sphere: Arc<MeshSphere>) -> Self {
         Self {
             sphere,
             tree: Arc::default(),
@@ -52,7 +52,7 @@ impl SpherePart {
 }
 
 impl TriangleTree {
-    fn of_sphere(sphere: &Sphere) -> Self {
+    fn of_sphere(sphere: &MeshSphere) -> Self {
         let frame = LocalFrame::around(sphere.corners());
         let hierarchy = sphere.hierarchy();
         let leaves: Vec<TriangleBlock> = (0..hierarchy.leaf_count())
@@ -86,7 +86,7 @@ impl TriangleTree {
     /// The sphere that a child is which is no node and no block of triangles, in a tree that has no
     /// trees.
     #[inline(always)]
-    pub fn sphere(&self, child: Child) -> &Sphere {
+    pub fn sphere(&self, child: Child) -> &MeshSphere {
         match child.kind() {
             Some(ChildKind::Leaf(leaf)) if let Part::Sphere(part) = self.part(leaf) => &part.sphere,
             _ => unreachable!("{child:?} is no sphere"),

@@ -2,7 +2,7 @@
 
 use capwalk_boundary::{Accel, tangents_of_face};
 use capwalk_geometry::simd::{Instructions, prefetch};
-use capwalk_geometry::{Hit, Sphere};
+use capwalk_geometry::{Hit, MeshSphere};
 use capwalk_math::{Frame, Rgb, Vec3};
 use capwalk_scene::lobe::{Diffuse, Lobe, LocalBsdf, Side};
 use capwalk_scene::resolve::Constants;
@@ -40,7 +40,7 @@ struct ShapeOfLanes<'a> {
     /// Those of its vertices.
     normals: Option<&'a [Vec3]>,
     /// Where its vertices lie together that rays have met.
-    sphere: Option<&'a Sphere>,
+    sphere: Option<&'a MeshSphere>,
     /// True if its material turns with texture coordinates.
     turns: bool,
     emitter: Option<EmitterId>,
