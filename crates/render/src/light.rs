@@ -176,8 +176,8 @@ pub fn all_are_deltas(emitters: &[EmitterSampler]) -> bool {
     samplers.all(|sampler| matches!(sampler, DirectionSampler::Delta))
 }
 
-/// True if directions from the material would add more time than they take noise away:
-/// where light comes from one area emitter, which is not wide, to a surface that scatters it
+/// True if directions from the material would add more time than they take noise away: where they lead
+/// to no emitter, and where light comes from one area emitter, which is not wide, to a surface that scatters it
 /// evenly, points on the emitter have weights that hardly differ.
 fn is_sampled_well(
     emitters: &[EmitterSampler],

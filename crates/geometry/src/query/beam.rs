@@ -2,8 +2,8 @@
 //! precision, with the margins of single rays, and against triangles exactly as single rays, operation
 //! by operation.
 
-use super::bundle::BUNDLE;
-use super::local_bundle::{LocalBundle, Numbers, Singles, axes_to};
+use super::bundle::{BUNDLE, Numbers};
+use super::local_bundle::{LocalBundle, Singles, axes_to};
 use super::ray_kernel::{Crossing, RayNode, TriangleBlock, crossing};
 use crate::bvh::{VisitOfRays, WIDTH};
 use crate::ray::PLANE_MARGIN;

@@ -7,6 +7,9 @@ use crate::ray::Ray;
 /// Rays in a bundle.
 pub const BUNDLE: usize = 16;
 
+/// A number of each ray.
+pub type Numbers = [f64; BUNDLE];
+
 /// No face.
 pub(super) const NO_FACE: u32 = u32::MAX;
 

@@ -2,16 +2,15 @@
 
 use capwalk_math::Vec3;
 
-use super::bundle::{BUNDLE, Bundle};
+use super::bundle::{BUNDLE, Bundle, Numbers};
 use super::ray_kernel::{LocalRay, Within, inverse_speed, slab};
 use crate::local_frame::LocalFrame;
 use crate::ray::{ORIGIN_MARGIN, PLANE_MARGIN, Ray, RayShear};
 use crate::simd::Simd;
 
-/// A number of each ray.
-pub type Numbers = [f64; BUNDLE];
-/// In single precision.
+/// A number of each ray, in single precision.
 pub type Singles = [f32; BUNDLE];
+
 /// The rays of a bundle in the world, with one that is asked for in the place of each that is not.
 pub struct Filled {
     origin: [Numbers; 3],

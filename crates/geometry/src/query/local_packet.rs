@@ -10,6 +10,12 @@ use crate::simd::{F32x16, Lanes, Simd};
 /// Slower components of directions count as this.
 const SLOWEST: f32 = 1e-12;
 
+/// The same, before rays are cut, however far away they start.
+const STILL: f64 = 1e-300;
+
+/// Rays that start farther behind their origin are cut, too.
+const FARTHEST: f64 = 4.0;
+
 /// The tree lies between -1 and 1, with what boxes are larger by.
 const SIDE: f64 = 1.0 + 2.0 * BOX_MARGIN as f64;
 
@@ -41,7 +47,8 @@ impl<S: Simd> LocalPacket<S> {
         for ray in 0..BUNDLE {
             enter[ray] = packet.range[0][ray] * frame.inverse_scale;
             exit[ray] = packet.range[1][ray] * frame.inverse_scale;
-            outside |= u32::from(farthest[ray] > SIDE) << ray;
+            let is_outside = (farthest[ray] > SIDE) | (enter[ray] < -FARTHEST);
+            outside |= u32::from(is_outside) << ray;
         }
         if outside & packet.mask != 0 {
             clip(outside, packet, &local, [&mut enter, &mut exit]);
@@ -49,9 +56,15 @@ impl<S: Simd> LocalPacket<S> {
         let mut end = [0.0; BUNDLE];
         let (mut origin, mut direction) = ([[0.0; BUNDLE]; 3], [[0.0; BUNDLE]; 3]);
         for ray in 0..BUNDLE {
-            let is_asked = packet.mask >> ray & 1 == 1 && enter[ray] <= exit[ray];
             let length = (exit[ray] - enter[ray]) as f32;
-            end[ray] = if is_asked { length } else { -1.0 };
+            // All false for NaN.
+            let is_range = packet.range[0][ray] <= packet.range[1][ray];
+            let is_asked = packet.mask >> ray & 1 == 1 && is_range && enter[ray] <= exit[ray];
+            end[ray] = if is_asked && length >= 0.0 {
+                length
+            } else {
+                -1.0
+            };
         }
         for axis in 0..3 {
             for ray in 0..BUNDLE {
@@ -68,10 +81,12 @@ impl<S: Simd> LocalPacket<S> {
         }
     }
 
-    /// The distance in the world at one from where a ray starts or enters the tree.
+    /// A distance in the world beyond all whose [`Self::distance_in_tree`] is no larger than this.
     #[inline(always)]
-    pub fn distance_in_world(&self, frame: &LocalFrame, ray: usize, distance: f32) -> f64 {
-        (f64::from(distance) + self.enter[ray]) * frame.scale
+    pub fn end_in_world(&self, frame: &LocalFrame, ray: usize, distance: f32) -> f64 {
+        let distance = f64::from(distance.next_up());
+        let rounding = 8.0 * f64::EPSILON * (distance + self.enter[ray].abs());
+        (distance + self.enter[ray] + rounding) * frame.scale
     }
 
     /// The distance from there at one in the world.
@@ -104,11 +119,10 @@ fn clip(
     for (local, direction) in local.iter().zip(packet.direction) {
         for ray in 0..BUNDLE {
             let (from, speed) = (local[ray], direction[ray]);
-            let slowest = f64::from(SLOWEST);
-            let is_slow = speed.abs() < slowest;
+            let is_slow = speed.abs() < STILL;
             let inverse = 1.0
                 / if is_slow {
-                    slowest.copysign(speed)
+                    STILL.copysign(speed)
                 } else {
                     speed
                 };

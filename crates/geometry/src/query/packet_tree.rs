@@ -23,6 +23,7 @@ use super::packet_precision::{IN_PLANE, MOST_OUT};
 use super::ray_kernel::RayNode;
 use super::ray_search;
 use super::ray_tree::RayTree;
+use super::sphere::MeshSphere;
 use super::sphere_bundle::RaysToSphere;
 use super::triangle_tree::{Part, SpherePart};
 use crate::bvh::{Child, ChildKind, Stack};
@@ -93,7 +94,7 @@ impl PacketTree {
     fn with_nodes(mut self, rays: &RayTree, numbers: &[Option<u32>]) -> Self {
         let all = std::mem::take(&mut self.faces);
         for leaf in 0..rays.hierarchy.leaf_count() {
-            // None of a sphere.
+            // A sphere's leaf has the number of its first face, which is none of the others.
             let faces = rays.hierarchy.leaf(leaf).iter();
             let mut own: Vec<u32> = faces.filter_map(|&face| numbers[face as usize]).collect();
             own.sort_unstable();
@@ -114,11 +115,10 @@ impl PacketTree {
         self
     }
 
-    /// True if single precision resolves these triangles, all from which the tree was made but those of
-    /// spheres: no triangle is thin
-    /// beside what lies in a plane or has a very sharp corner, and no two that are nearly parallel are nearly,
-    /// but not quite, in one plane where their boxes meet. Takes time in proportion to the square of
-    /// their number.
+    /// True if single precision resolves the mesh from which the tree was made, whose spheres need none. No
+    /// other triangle is thin beside what lies in a plane, or has a very sharp corner; no two that are
+    /// nearly parallel are nearly, but not quite, in one plane where their boxes meet; and no face of a
+    /// sphere is nearly in the plane of one. Takes time in proportion to the square of their number.
     pub fn resolves(&self, rays: &RayTree, mesh: &Mesh) -> bool {
         let single = rays.single_faces();
         let corners = single.iter().map(|&face| mesh.corners(face as usize));
@@ -158,7 +158,13 @@ impl PacketTree {
             let shared = heights.iter().filter(is_in_plane).count();
             most < IN_ONE_PLANE * in_plane || least > APART * in_plane || shared == 2
         };
+        // From the face of a sphere that lies in a plane, rays would not meet what is there.
+        let lies_in_plane = |sphere: &MeshSphere| {
+            let mut planes = corners.iter().zip(&normals);
+            planes.any(|(&[a, ..], &normal)| sphere.lies_in_plane([a, normal], APART * in_plane))
+        };
         mesh.faces.len() <= MOST_FACES
+            && !(self.spheres.iter()).any(|part| lies_in_plane(&part.sphere))
             && corners.iter().all(is_thick)
             && (0..corners.len()).all(|i| (0..i).all(|k| are_apart(i, k) && are_apart(k, i)))
     }
@@ -180,7 +186,7 @@ impl PacketTree {
     }
 
     /// The nearest face that each ray meets, of those that are asked for; `u32::MAX` is none. Of
-    /// equally near ones the lowest.
+    /// equally near ones the lowest of spheres, else the lowest.
     pub fn first_hits(&self, packet: &Bundle<'_>) -> [u32; BUNDLE] {
         self.instructions.run(FirstHits { tree: self, packet })
     }
@@ -297,13 +303,12 @@ impl<S: Simd> Nearest<S> {
         let mut t_max = self.t;
         let mut faces = [NO_FACE; BUNDLE];
         for ray in 0..BUNDLE {
-            // What is as near in single precision may be a little farther.
-            let end = rays.distance_in_world(frame, ray, distance[ray].next_up());
-            let is_on_sphere = numbers[ray] < 0.0;
-            (t_max[ray], faces[ray]) = match is_on_sphere {
-                true => (t_max[ray], of_sphere(numbers[ray]) as u32),
-                false => (t_max[ray].min(end), NO_FACE),
-            };
+            if numbers[ray] < 0.0 {
+                faces[ray] = of_sphere(numbers[ray]) as u32;
+            } else if numbers[ray] < f32::INFINITY {
+                let end = rays.end_in_world(frame, ray, distance[ray]);
+                t_max[ray] = t_max[ray].min(end);
+            }
         }
         let asked = simd.splat_16(0.0).le(rays.end);
         let to_sphere = to_sphere(search.packet);

@@ -55,13 +55,15 @@ const MARGINS_OF_STEEP: f64 = 100.0;
 pub struct MeshSphere {
     grid: Arc<SphereGrid>,
     first_face: u32,
+    first_vertex: u32,
     /// True if faces are wound the other way round.
     is_reversed: bool,
     /// Those of its vertices, world units.
     positions: Vec<Vec3>,
     centre: Vec3,
-    /// The map to its coordinates from where the centre is 0.
+    /// The map to its coordinates from where the centre is 0, and back.
     rows: [Vec3; 3],
+    world_rows: [Vec3; 3],
     /// Distances there are no longer than this times those in the world.
     stretch: f64,
     /// The corners of the box around it in the world, and half its extents; these added up, times
@@ -128,9 +130,11 @@ impl MeshSphere {
         let reach = stretch * (half.x + half.y + half.z);
         (reach < LARGEST_REACH).then_some(Self {
             first_face: first_face as u32,
+            first_vertex,
             is_reversed,
             centre,
             rows,
+            world_rows: world_from_unit.rows,
             stretch,
             corners: [low, high],
             half,
@@ -148,6 +152,24 @@ impl MeshSphere {
     /// The numbers of its faces.
     pub fn faces(&self) -> Range<u32> {
         self.first_face..self.first_face + self.grid.faces.len() as u32
+    }
+
+    /// The first of its vertices, which are consecutive.
+    pub fn first_vertex(&self) -> u32 {
+        self.first_vertex
+    }
+
+    /// True if all corners of one of its faces are so near to a plane, which has a point and a unit
+    /// normal.
+    pub fn lies_in_plane(&self, [point, normal]: [Vec3; 2], within: f64) -> bool {
+        // Only planes that touch it, or nearly do, have such faces.
+        let [x, y, z] = self.world_rows;
+        let largest = (x * normal.x + y * normal.y + z * normal.z).length();
+        let height = normal.dot(self.centre - point).abs();
+        let is_beside = height > largest + within || height < self.grid.inner * largest - within;
+        let is_near = |p: Vec3| normal.dot(p - point).abs() <= within;
+        let mut faces = 0..self.faces().len() as u32;
+        !is_beside && faces.any(|face| self.corners_of(face).into_iter().all(is_near))
     }
 
     /// The corners of the box around it.

@@ -3,8 +3,7 @@
 
 use capwalk_math::Vec3;
 
-use super::bundle::BUNDLE;
-use super::local_bundle::Numbers;
+use super::bundle::{BUNDLE, Numbers};
 use super::passage::Passage;
 use super::ray_kernel::{Crossing, LANES, crossing};
 use super::sphere::MeshSphere;

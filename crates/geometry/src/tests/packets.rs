@@ -171,6 +171,61 @@ fn packets_do_not_depend_on(tree: &PacketTree, others: &[PacketTree], packet: &B
     }
 }
 
+/// Spheres are found by rays that are no longer than a point, by rays from far away along an axis, and
+/// beside rays that mean nothing.
+#[test]
+fn packets_meet_spheres_by_all_rays() {
+    let mesh = spheres();
+    let rays = RayTree::build(&mesh);
+    let (low, high) = mesh.bounds();
+    let mut hits = 0;
+    for tree in PacketTree::new(&rays, &mesh).deep_and_flat(&rays, &mesh) {
+        for i in 0..2000 {
+            let [x, y] = [2, 3].map(|k| 2.0 * spread(k * i) - 1.0);
+            let (size, middle) = (high - low, (low + high) * 0.5);
+            let target = middle + Vec3::new(size.x * x, size.y * y, 0.0) * 0.5;
+            let away = [1.0, 1e3, 1e9][i as usize % 3];
+            let ray = Ray::new(
+                target + Vec3::new(0.0, 0.0, away),
+                Vec3::new(0.0, 0.0, -1.0),
+            );
+            let Some(hit) = rays.first_hit(&ray) else {
+                continue;
+            };
+            if rays.single_faces().contains(&hit.face) {
+                continue;
+            }
+            let mut packet = Rays::NONE;
+            for (lane, range) in [[hit.t, hit.t], [0.0, hit.t], [0.0, f64::INFINITY]]
+                .into_iter()
+                .enumerate()
+            {
+                packet.set(lane, ray.origin, ray.direction, range[1]);
+                packet.range[0][lane] = range[0];
+            }
+            for (lane, [t_min, t_max]) in [
+                [f64::INFINITY; 2],
+                [f64::NEG_INFINITY; 2],
+                [0.0, f64::NAN],
+                [f64::NAN, 1.0],
+            ]
+            .into_iter()
+            .enumerate()
+            {
+                packet.set(lane + 3, target, ray.direction, t_max);
+                packet.range[0][lane + 3] = t_min;
+            }
+            let none = u32::MAX;
+            let faces = tree.first_hits(&packet.packet());
+            assert_eq!(faces[..3], [hit.face; 3], "{ray:?}");
+            assert_eq!(faces[3..7], [none; 4], "{ray:?}");
+            assert_eq!(tree.occluded(&packet.packet()), 0b111, "{ray:?}");
+            hits += 1;
+        }
+    }
+    assert!(hits > 400, "{hits}");
+}
+
 /// In a scene of shapes that are not small, packets find what single rays do, but for rays that pass
 /// an edge, start or end so near that single precision does not resolve it, which is in proportion to
 /// the scene; and spheres as they are found by single rays, also from far away.

@@ -173,7 +173,9 @@ impl<'a> LaneLights<'a> {
         choices.are_alike = false;
         let views = &mut choices.views;
         for (views, kind) in views.iter_mut().zip(&self.kinds) {
-            if let Some(Point { position, .. }) = kind.point {
+            if let Some(Point { position, .. }) = kind.point
+                && by_light != 0
+            {
                 *views = instructions.run(ViewPoint {
                     position,
                     vertices,

@@ -39,7 +39,8 @@ struct ShapeOfLanes<'a> {
     sides: [Scattering; 2],
     /// Those of its vertices.
     normals: Option<&'a [Vec3]>,
-    /// Where its vertices lie together that rays have met.
+    /// The same faces in the ray tree, if that has them as a sphere: what rays have just met there is
+    /// still in the CPU's cache.
     sphere: Option<&'a MeshSphere>,
     /// True if its material turns with texture coordinates.
     turns: bool,
@@ -78,7 +79,8 @@ impl<'a> LaneScene<'a> {
                 },
                 asked,
                 normals: shape.normals.per_vertex(),
-                sphere: accel.rays().sphere_of(faces),
+                sphere: (accel.rays().sphere_of(faces))
+                    .filter(|sphere| sphere.first_vertex() == accel.first_vertex[i]),
                 turns: accel.needs_tangent[i],
                 emitter: shape.emitter,
                 first_face: accel.first_face[i],

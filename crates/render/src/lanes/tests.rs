@@ -5,7 +5,7 @@ use std::path::Path;
 
 use capwalk_boundary::{Counts, Draw, Sampler};
 use capwalk_geometry::Mesh;
-use capwalk_math::{Rgb, Vec3};
+use capwalk_math::{Affine, Rgb, Vec3};
 use capwalk_scene::bsdf::NormalLimits;
 use capwalk_scene::lobe::{
     Conductor, Dielectric, Diffuse, Distribution, Lobe, Microfacets, Null, Plastic,
@@ -212,7 +212,8 @@ fn lanes_sample_what_the_tracer_does() {
     }
 }
 
-/// Two balls with normals at vertices, in the room: one of few triangles, and a sphere.
+/// Two balls with normals at vertices, in the room: one of few triangles, and a sphere, whose shape has a
+/// vertex before it.
 fn with_balls(mut scene: Scene) -> Scene {
     let places = [
         ("ball", 3, Vec3::new(-0.9, 0.5, 0.8)),
@@ -220,6 +221,10 @@ fn with_balls(mut scene: Scene) -> Scene {
     ];
     for (name, frequency, centre) in places {
         let mut ball = icosphere(frequency);
+        if name == "sphere" {
+            ball.positions.insert(0, Vec3::new(0.0, 0.0, 1.0));
+            ball.faces.iter_mut().flatten().for_each(|i| *i += 1);
+        }
         let normals = ShadingNormals::Given(ball.positions.clone());
         let place = |p: &mut Vec3| *p = *p * 0.4 + centre;
         ball.positions.iter_mut().for_each(place);
@@ -609,6 +614,24 @@ fn other_scenes_have_single_rays() {
             assert_eq!(packets, [true, false], "{towards:?}");
         }
     }
+    // A coarse sphere, a face of which lies just above the floor.
+    let lifted = |height: f64| {
+        let mut scene = room();
+        let mut ball = icosphere(4);
+        let turn = Affine::rotate(Vec3::new(0.3, 0.2, 1.0), 0.4);
+        let normal = turn.vector(ball.face_cross(7)).normalized();
+        let down = Vec3::new(0.0, -1.0, 0.0);
+        let turn = Affine::rotate(normal.cross(down), normal.dot(down).acos()) * turn;
+        let turned = |p: &mut Vec3| *p = turn.point(*p) * 0.3;
+        ball.positions.iter_mut().for_each(turned);
+        let low = ball.bounds().0.y;
+        let placed = |p: &mut Vec3| p.y += height - low;
+        ball.positions.iter_mut().for_each(placed);
+        let bsdf = scene.shapes[0].bsdf;
+        scene.add_shape(Shape::new("ball", ball, ShadingNormals::Face, bsdf));
+        has_packets(scene)
+    };
+    assert!(lifted(0.1) && !lifted(1e-7));
     // Many faces, right before the camera: but those of a sphere are met in double precision.
     let with_ball = |is_sphere: bool| {
         let mut scene = room();
