@@ -186,7 +186,7 @@ impl PacketTree {
     }
 
     /// The nearest face that each ray meets, of those that are asked for; `u32::MAX` is none. Of
-    /// equally near ones the lowest of spheres, else the lowest.
+    /// equally near ones the lowest of spheres, else the lowest. Directions must have about unit length.
     pub fn first_hits(&self, packet: &Bundle<'_>) -> [u32; BUNDLE] {
         self.instructions.run(FirstHits { tree: self, packet })
     }
