@@ -181,14 +181,15 @@ fn packets_meet_spheres_by_all_rays() {
     let mut hits = 0;
     for tree in PacketTree::new(&rays, &mesh).deep_and_flat(&rays, &mesh) {
         for i in 0..2000 {
-            let [x, y] = [2, 3].map(|k| 2.0 * spread(k * i) - 1.0);
+            let [x, y, z] = [2, 3, 5].map(|k| 2.0 * spread(k * i) - 1.0);
             let (size, middle) = (high - low, (low + high) * 0.5);
-            let target = middle + Vec3::new(size.x * x, size.y * y, 0.0) * 0.5;
-            let away = [1.0, 1e3, 1e9][i as usize % 3];
-            let ray = Ray::new(
-                target + Vec3::new(0.0, 0.0, away),
-                Vec3::new(0.0, 0.0, -1.0),
-            );
+            let target = middle + Vec3::new(size.x * x, size.y * y, size.z * z) * 0.5;
+            let away = [3.0, 1e3, 1e9][i as usize % 3];
+            let direction = match i % 2 {
+                0 => Vec3::new(0.0, 0.0, -1.0),
+                _ => Vec3::new(1.0, 0.0, 0.0),
+            };
+            let ray = Ray::new(target - direction * away, direction);
             let Some(hit) = rays.first_hit(&ray) else {
                 continue;
             };
@@ -224,6 +225,14 @@ fn packets_meet_spheres_by_all_rays() {
         }
     }
     assert!(hits > 400, "{hits}");
+    // At the side of the tree.
+    let mesh = icosphere(55);
+    let tree = PacketTree::new(&RayTree::build(&mesh), &mesh);
+    let mut packet = Rays::NONE;
+    let ray = Ray::new(Vec3::new(0.9995, 0.0003, -1e9), Vec3::new(0.0, 0.0, 1.0));
+    packet.set(0, ray.origin, ray.direction, f64::INFINITY);
+    let hit = oracle::first_hit(&mesh, &ray).expect("the sphere");
+    assert_eq!(tree.first_hits(&packet.packet())[0], hit.face);
 }
 
 /// In a scene of shapes that are not small, packets find what single rays do, but for rays that pass
