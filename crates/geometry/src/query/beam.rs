@@ -53,8 +53,8 @@ impl<'a, S: Simd> Beam<'a, S> {
         let fastest = local.fastest_axis(first);
         let mut mask = rays & local.fastest[fastest];
         for axis in 0..3 {
-            let directions = simd.round_16(&local.direction[axis]);
-            let apart = directions - simd.splat_16(local.direction[axis][first] as f32);
+            let directions = simd.round_16(&local.rays.direction[axis]);
+            let apart = directions - simd.splat_16(local.rays.direction[axis][first] as f32);
             mask &= apart.abs().le(simd.splat_16(SPREAD));
         }
         if mask.count_ones() <= few {
@@ -170,7 +170,7 @@ impl<'a, S: Simd> Beam<'a, S> {
             let Some(Crossing { inside, t, .. }) = crossing(simd, corners, inverse_z, own) else {
                 continue;
             };
-            let t_min = simd.load_f64(part_of(self.local.range[0], part));
+            let t_min = simd.load_f64(part_of(self.local.rays.range[0], part));
             let before = t.le(simd.load_f64(part_of(t_max, part)));
             let mut hits = inside & t_min.le(t) & before;
             if hits == 0 {
@@ -189,7 +189,8 @@ impl<'a, S: Simd> Beam<'a, S> {
     #[inline(always)]
     fn shear_corner(&self, simd: S, corner: [f64; 3], part: usize) -> [S::F64x4; 3] {
         let [i, j, k] = self.axes;
-        let LocalBundle { origin, shears, .. } = self.local;
+        let LocalBundle { rays, shears, .. } = self.local;
+        let origin = rays.origin;
         let z = simd.splat_f64(corner[2]) - simd.load_f64(part_of(&origin[k], part));
         let x = simd.splat_f64(corner[0]) - simd.load_f64(part_of(&origin[i], part));
         let y = simd.splat_f64(corner[1]) - simd.load_f64(part_of(&origin[j], part));
@@ -205,7 +206,7 @@ impl<'a, S: Simd> Beam<'a, S> {
     pub fn limits(&self) -> Singles {
         let mut limits = [-1.0; BUNDLE];
         for (ray, limit) in limits.iter_mut().enumerate() {
-            let own = self.local.limit(ray, self.local.range[1][ray]);
+            let own = self.local.limit(ray, self.local.rays.range[1][ray]);
             *limit = if self.mask >> ray & 1 == 1 { own } else { -1.0 };
         }
         limits

@@ -34,6 +34,7 @@ impl Bundle<'_> {
     }
 
     /// A ray, up to a distance.
+    #[inline(always)]
     pub(super) fn ray(&self, ray: usize, t_max: f64) -> Ray {
         Ray {
             origin: vector(self.origin, ray),
@@ -44,7 +45,8 @@ impl Bundle<'_> {
     }
 }
 
+/// The vector of a ray.
 #[inline(always)]
-fn vector(numbers: &[[f64; BUNDLE]; 3], ray: usize) -> Vec3 {
+pub(super) fn vector(numbers: &[Numbers; 3], ray: usize) -> Vec3 {
     Vec3::new(numbers[0][ray], numbers[1][ray], numbers[2][ray])
 }

@@ -179,7 +179,7 @@ impl FirstHits<'_> {
         let search = FirstHit {
             tree: self.tree,
             instructions: self.instructions,
-            ray: &local.ray(ray, t),
+            ray: &local.rays.ray(ray, t),
             before: (face != NO_FACE).then_some(Hit {
                 t,
                 face,
@@ -285,7 +285,8 @@ impl OccludedRays<'_> {
     #[inline(always)]
     fn sphere<S: Simd>(&self, simd: S, beam: &Beam<'_, S>, child: Child, rays: u32) -> u32 {
         let (sphere, local) = (self.tree.sphere(child), beam.local);
-        let [mut hit, mut rest] = to_sphere(local).occluded(simd, sphere, rays, local.range[1]);
+        let [mut hit, mut rest] =
+            to_sphere(local).occluded(simd, sphere, rays, local.rays.range[1]);
         while rest != 0 {
             let ray = rest.trailing_zeros() as usize % BUNDLE;
             rest &= rest - 1;
@@ -300,7 +301,7 @@ impl OccludedRays<'_> {
         let search = Occluded {
             tree: self.tree,
             instructions: self.instructions,
-            ray: &local.ray(ray, self.rays.range[1][ray]),
+            ray: &local.rays.ray(ray, self.rays.range[1][ray]),
         };
         search.below(simd, &local.local_ray(simd, ray), child)
     }
@@ -310,9 +311,7 @@ impl OccludedRays<'_> {
 #[inline(always)]
 fn to_sphere<'a>(local: &'a LocalBundle<'_>) -> RaysToSphere<'a, impl Fn(usize) -> RayShear> {
     RaysToSphere {
-        origin: local.origin,
-        direction: local.direction,
-        t_min: local.range[0],
+        rays: &local.rays,
         shear: |ray| local.shear(ray),
     }
 }

@@ -1,11 +1,9 @@
 //! A bundle of rays in a tree's coordinates.
 
-use capwalk_math::Vec3;
-
-use super::bundle::{BUNDLE, Bundle, Numbers};
+use super::bundle::{BUNDLE, Bundle, Numbers, vector};
 use super::ray_kernel::{LocalRay, Within, inverse_speed, slab};
 use crate::local_frame::LocalFrame;
-use crate::ray::{ORIGIN_MARGIN, PLANE_MARGIN, Ray, RayShear};
+use crate::ray::{ORIGIN_MARGIN, PLANE_MARGIN, RayShear};
 use crate::simd::Simd;
 
 /// A number of each ray, in single precision.
@@ -21,9 +19,7 @@ pub struct Filled {
 /// The rays of a bundle, see [`LocalRay`]. Numbers of rays without a bit in the mask mean nothing.
 pub struct LocalBundle<'a> {
     /// The rays in the world, all of which are some that are asked for.
-    pub origin: &'a [Numbers; 3],
-    pub direction: &'a [Numbers; 3],
-    pub range: [&'a Numbers; 2],
+    pub rays: Bundle<'a>,
     /// Those that pass through the tree.
     pub mask: u32,
     /// True if no number of any ray is infinite or NaN, but for ends.
@@ -88,9 +84,7 @@ impl<'a> LocalBundle<'a> {
     #[inline(always)]
     pub fn new(frame: &LocalFrame, rays: &Bundle<'a>) -> Self {
         let mut local = Self {
-            origin: rays.origin,
-            direction: rays.direction,
-            range: rays.range,
+            rays: *rays,
             mask: rays.mask,
             is_finite: false,
             fastest: [0; 3],
@@ -104,12 +98,12 @@ impl<'a> LocalBundle<'a> {
             margin: [0.0; BUNDLE],
         };
         let centre = frame.centre.to_array();
-        let [dx, dy, dz] = local.direction;
+        let [dx, dy, dz] = rays.direction;
         let mut from = [[0.0; BUNDLE]; 3];
         let mut speeds = [0.0; BUNDLE];
         for (axis, from) in from.iter_mut().enumerate() {
             for (ray, from) in from.iter_mut().enumerate() {
-                *from = (local.origin[axis][ray] - centre[axis]) * frame.inverse_scale;
+                *from = (rays.origin[axis][ray] - centre[axis]) * frame.inverse_scale;
             }
         }
         // The axes of `RayShear`.
@@ -142,13 +136,13 @@ impl<'a> LocalBundle<'a> {
             let farthest = larger(farthest, from[2][ray].abs());
             local.margin[ray] = PLANE_MARGIN + ORIGIN_MARGIN * farthest;
             local.local_per_world[ray] = frame.inverse_scale * speeds[ray];
-            local.enter[ray] = local.range[0][ray] * local.local_per_world[ray];
-            local.exit[ray] = local.range[1][ray] * local.local_per_world[ray];
+            local.enter[ray] = rays.range[0][ray] * local.local_per_world[ray];
+            local.exit[ray] = rays.range[1][ray] * local.local_per_world[ray];
         }
         // The parts of the rays within the tree.
         for (axis, from) in from.iter().enumerate() {
             for (ray, &from) in from.iter().enumerate() {
-                let inverse = inverse_speed(local.direction[axis][ray], speeds[ray]);
+                let inverse = inverse_speed(rays.direction[axis][ray], speeds[ray]);
                 let side = (1.0 + local.margin[ray]).copysign(inverse);
                 let (first, last) = ((-side - from) * inverse, (side - from) * inverse);
                 local.enter[ray] = larger(local.enter[ray], first);
@@ -158,7 +152,7 @@ impl<'a> LocalBundle<'a> {
         }
         for (axis, from) in from.iter().enumerate() {
             for (ray, &from) in from.iter().enumerate() {
-                let direction = local.direction[axis][ray] * local.inverse_z[ray].abs();
+                let direction = rays.direction[axis][ray] * local.inverse_z[ray].abs();
                 local.start[axis][ray] = from + direction * local.enter[ray];
             }
         }
@@ -175,17 +169,6 @@ impl<'a> LocalBundle<'a> {
         }
         local.mask &= usable & reached;
         local
-    }
-
-    /// A ray in the world, up to a distance.
-    #[inline(always)]
-    pub fn ray(&self, ray: usize, t_max: f64) -> Ray {
-        Ray {
-            origin: vector(self.origin, ray),
-            direction: vector(self.direction, ray),
-            t_min: self.range[0][ray],
-            t_max,
-        }
     }
 
     /// The axis along which a ray is fastest.
@@ -223,7 +206,12 @@ impl<'a> LocalBundle<'a> {
             local_per_world: self.local_per_world[ray],
             margin,
         };
-        LocalRay::within(simd, self.shear(ray), vector(self.origin, ray), &within)
+        LocalRay::within(
+            simd,
+            self.shear(ray),
+            vector(self.rays.origin, ray),
+            &within,
+        )
     }
 
     /// [`LocalRay::limit`] of a ray.
@@ -239,11 +227,6 @@ impl<'a> LocalBundle<'a> {
 #[inline(always)]
 pub fn axes_to(fastest: usize) -> [usize; 3] {
     [(fastest + 1) % 3, (fastest + 2) % 3, fastest]
-}
-
-#[inline(always)]
-fn vector(numbers: &[Numbers; 3], ray: usize) -> Vec3 {
-    Vec3::new(numbers[0][ray], numbers[1][ray], numbers[2][ray])
 }
 
 #[inline(always)]

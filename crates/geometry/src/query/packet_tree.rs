@@ -237,9 +237,7 @@ enum Leaf<'a> {
 #[inline(always)]
 fn to_sphere<'a>(packet: &'a Bundle<'_>) -> RaysToSphere<'a, impl Fn(usize) -> RayShear> {
     RaysToSphere {
-        origin: packet.origin,
-        direction: packet.direction,
-        t_min: packet.range[0],
+        rays: packet,
         shear: |ray| RayShear::new(packet.direction_of(ray)).expect("it passes the sphere"),
     }
 }
@@ -268,7 +266,8 @@ struct Nearest<S: Simd> {
     t: [f64; BUNDLE],
 }
 
-/// What stands for the number of a face of a sphere, and for that its number: less than any other.
+/// Marks the number of a sphere's face, so that it is less than any other; the same again takes the mark
+/// off.
 #[inline(always)]
 fn of_sphere(number: f32) -> f32 {
     -1.0 - number

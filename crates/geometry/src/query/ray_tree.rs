@@ -217,23 +217,23 @@ impl RayTree {
         self.cost.degradation().max(of_triangles.unwrap_or(0.0))
     }
 
-    /// The faces that are not of spheres.
+    /// The faces that are not of spheres, in order.
     pub fn single_faces(&self) -> Vec<u32> {
-        let mut single = Vec::with_capacity(self.single_face_count());
-        let mut next = 0;
-        for sphere in &self.spheres {
-            let faces = sphere.faces();
-            single.extend(next..faces.start);
-            next = faces.end;
-        }
-        single.extend(next..self.face_count as u32);
-        single
+        let mut pieces = self.hierarchy.order.clone();
+        // A sphere has the number of its first face.
+        let first_face = |sphere: &Arc<MeshSphere>| sphere.faces().start;
+        pieces.retain(|piece| {
+            self.spheres
+                .binary_search_by_key(piece, first_face)
+                .is_err()
+        });
+        pieces.sort_unstable();
+        pieces
     }
 
-    /// How many faces are not of spheres.
-    pub fn single_face_count(&self) -> usize {
-        let spheres = self.spheres.iter();
-        self.face_count - spheres.map(|sphere| sphere.faces().len()).sum::<usize>()
+    /// How many things it has: spheres, and faces that are not of spheres.
+    pub fn piece_count(&self) -> usize {
+        self.hierarchy.order.len()
     }
 
     /// The sphere whose faces these are; `None` if they are not all those of one.
@@ -245,6 +245,7 @@ impl RayTree {
     }
 
     /// How many things of the mesh are searched as spheres.
+    #[cfg(test)]
     pub fn sphere_count(&self) -> usize {
         self.spheres.len()
     }

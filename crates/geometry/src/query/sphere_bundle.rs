@@ -3,7 +3,7 @@
 
 use capwalk_math::Vec3;
 
-use super::bundle::{BUNDLE, Numbers};
+use super::bundle::{BUNDLE, Bundle, Numbers, vector};
 use super::passage::Passage;
 use super::ray_kernel::{Crossing, LANES, crossing};
 use super::sphere::MeshSphere;
@@ -12,9 +12,7 @@ use crate::simd::{F64x4, Lanes, Simd};
 
 /// The rays of a bundle in the world.
 pub struct RaysToSphere<'a, F> {
-    pub origin: &'a [Numbers; 3],
-    pub direction: &'a [Numbers; 3],
-    pub t_min: &'a Numbers,
+    pub rays: &'a Bundle<'a>,
     /// The shear of each.
     pub shear: F,
 }
@@ -31,8 +29,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
         t_max: &mut Numbers,
         faces: &mut [u32; BUNDLE],
     ) -> [u32; 2] {
-        let range = [self.t_min, &*t_max];
-        let passages = Passages::new(sphere, self.origin, self.direction, range);
+        let passages = Passages::new(sphere, self.rays, t_max);
         let mut hit = 0;
         let found = |ray: usize, face, t, t_max: &mut Numbers| {
             if (t, face) < (t_max[ray], faces[ray]) {
@@ -54,8 +51,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
         rays: u32,
         t_max: &Numbers,
     ) -> [u32; 2] {
-        let range = [self.t_min, t_max];
-        let passages = Passages::new(sphere, self.origin, self.direction, range);
+        let passages = Passages::new(sphere, self.rays, t_max);
         let mut hit = passages.hits & rays;
         let (open, mut t_max) = (rays & !hit, *t_max);
         let found = |ray: usize, _, _, t_max: &mut Numbers| {
@@ -92,7 +88,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
                     open &= !(1 << ray);
                     continue;
                 };
-                let bounds = [self.t_min[ray], t_max[ray]];
+                let bounds = [self.rays.range[0][ray], t_max[ray]];
                 let along = sphere.along(&passage, way, bounds);
                 let Some(faces) = along.faces() else {
                     unknown |= 1 << ray;
@@ -131,7 +127,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
             shear: [shear_x, shear_y],
             inverse_z,
         } = shear;
-        let [ox, oy, oz] = [i, j, k].map(|axis| self.origin[axis][ray]);
+        let [ox, oy, oz] = [i, j, k].map(|axis| self.rays.origin[axis][ray]);
         let lane = pairs.count;
         for (own, corner) in pairs.corners.iter_mut().zip(corners) {
             let z = corner[k] - oz;
@@ -140,7 +136,7 @@ impl<F: Fn(usize) -> RayShear> RaysToSphere<'_, F> {
             own[2][lane] = z;
         }
         pairs.inverse_z[lane] = inverse_z;
-        pairs.t_min[lane] = self.t_min[ray];
+        pairs.t_min[lane] = self.rays.range[0][ray];
         pairs.rays[lane] = ray;
         pairs.faces[lane] = face;
         pairs.count += 1;
@@ -211,14 +207,9 @@ struct Passages {
 }
 
 impl Passages {
-    /// Those of rays in the world, with the range of each.
+    /// Those of rays in the world, up to some distances.
     #[inline(always)]
-    fn new(
-        sphere: &MeshSphere,
-        [ox, oy, oz]: &[Numbers; 3],
-        [dx, dy, dz]: &[Numbers; 3],
-        [t_min, t_max]: [&Numbers; 2],
-    ) -> Self {
+    fn new(sphere: &MeshSphere, rays: &Bundle<'_>, t_max: &Numbers) -> Self {
         let zero = [0.0; BUNDLE];
         let mut all = Self {
             origin: [zero; 3],
@@ -234,9 +225,7 @@ impl Passages {
         };
         let mut flags = [[false; BUNDLE]; 3];
         for ray in 0..BUNDLE {
-            let origin = Vec3::new(ox[ray], oy[ray], oz[ray]);
-            let direction = Vec3::new(dx[ray], dy[ray], dz[ray]);
-            let own = sphere.passage(origin, direction);
+            let own = sphere.passage(vector(rays.origin, ray), vector(rays.direction, ray));
             for axis in 0..3 {
                 all.origin[axis][ray] = own.origin[axis];
                 all.direction[axis][ray] = own.direction[axis];
@@ -246,7 +235,7 @@ impl Passages {
             all.outer[ray] = own.outer;
             all.inner[ray] = own.inner;
             all.slack[ray] = own.slack;
-            let range = [t_min[ray], t_max[ray]];
+            let range = [rays.range[0][ray], t_max[ray]];
             flags[0][ray] = own.is_known;
             flags[1][ray] = !own.misses(range);
             flags[2][ray] = own.surely_hits(range);
@@ -264,11 +253,9 @@ impl Passages {
     /// That of a ray that is known and may hit a face.
     #[inline(always)]
     fn get(&self, ray: usize) -> Passage {
-        let vector =
-            |numbers: &[Numbers; 3]| Vec3::new(numbers[0][ray], numbers[1][ray], numbers[2][ray]);
         Passage {
-            origin: vector(&self.origin),
-            direction: vector(&self.direction),
+            origin: vector(&self.origin, ray),
+            direction: vector(&self.direction, ray),
             margin: self.margin[ray],
             middle: self.middle[ray],
             outer: self.outer[ray],

@@ -29,8 +29,6 @@ const EFFORT_OF_LEVEL: u64 = 2;
 pub struct Meets<'a> {
     accel: &'a Accel,
     packets: Option<PacketTree>,
-    /// True if rays know by themselves the surfaces on which they start and end: planes, in packets.
-    are_planes_known: bool,
     /// Where rays start that do not meet again the surfaces on which they begin.
     beyond_surfaces: Numbers,
     levels: u64,
@@ -51,15 +49,13 @@ pub struct LaneRays<'a> {
 impl<'a> Meets<'a> {
     /// All surfaces of a scene.
     pub fn new(accel: &'a Accel) -> Self {
-        let rays = accel.rays();
         let packets = packets(accel);
         let pieces = match packets {
-            Some(_) => rays.single_face_count() + rays.sphere_count(),
+            Some(_) => accel.rays().piece_count(),
             None => accel.mesh.faces.len(),
         };
         Self {
             accel,
-            are_planes_known: (packets.as_ref()).is_some_and(|tree| !tree.has_spheres()),
             packets,
             beyond_surfaces: [accel.horizon_distance(); LANES],
             levels: u64::from(pieces.max(1).ilog2() + 2),
@@ -69,6 +65,11 @@ impl<'a> Meets<'a> {
     /// True if rays come in packets.
     pub fn has_packets(&self) -> bool {
         self.packets.is_some()
+    }
+
+    /// True if rays know by themselves the surfaces on which they start and end: planes, in packets.
+    fn know_surfaces(&self) -> bool {
+        (self.packets.as_ref()).is_some_and(|tree| !tree.has_spheres())
     }
 
     /// The effort of so many rays.
@@ -82,7 +83,7 @@ impl<'a> Meets<'a> {
     /// The nearest face that each ray meets, of those that are asked for.
     pub fn first_hits(&self, rays: &LaneRays<'_>) -> [u32; LANES] {
         let [start, end] = rays.range.each_ref();
-        let range = match rays.from_surfaces && !self.are_planes_known {
+        let range = match rays.from_surfaces && !self.know_surfaces() {
             true => [&self.beyond_surfaces, end],
             false => [start, end],
         };
@@ -108,7 +109,7 @@ impl<'a> Meets<'a> {
     /// One bit for each ray that meets something before its end.
     pub fn occluded(&self, rays: &LaneRays<'_>) -> u32 {
         let shorter;
-        let range = match self.are_planes_known {
+        let range = match self.know_surfaces() {
             true => rays.range,
             false => {
                 shorter = self.accel.ranges_to_targets(&rays.range[1]);
@@ -127,8 +128,8 @@ impl<'a> Meets<'a> {
 fn packets(accel: &Accel) -> Option<PacketTree> {
     let mesh = &accel.mesh;
     let rays = accel.rays();
-    let pieces = rays.single_face_count() + rays.sphere_count();
-    let may_be = pieces <= MOST_PIECES && !accel.has_flush_emitters() && !accel.view.is_parallel();
+    let are_few = rays.piece_count() <= MOST_PIECES;
+    let may_be = are_few && !accel.has_flush_emitters() && !accel.view.is_parallel();
     let tree = may_be.then(|| PacketTree::new(rays, mesh))?;
     let pixel = NEAREST * accel.view.pixel_size() * nearest_in_view(accel);
     (tree.in_plane() <= pixel && tree.resolves(rays, mesh)).then_some(tree)
