@@ -3,8 +3,8 @@
 //! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
 //! compares them one by one. (But rectangles are always sampled by solid angle, also where they are
 //! seen under less than a millionth of a steradian.) Paths advance together, stage by stage: rays,
-//! surfaces, directions towards emitters, directions drawn from the surfaces. Rectangles, lamps that are
-//! points, environment maps, diffuse surfaces, rough metal and rough plastic are evaluated in loops over
+//! surfaces, directions towards emitters, directions drawn from the surfaces. Rectangles, point
+//! emitters, environment maps, diffuse surfaces, rough metal and rough plastic are evaluated in loops over
 //! the lanes without a branch, of which the compiler makes vectors; other emitters and lobes one by one,
 //! by the functions that [`Tracer`] calls.
 //!
@@ -22,7 +22,7 @@ mod kept;
 mod lights;
 mod lit;
 mod lobes;
-mod points;
+mod point_emitters;
 mod rays;
 mod rough;
 mod scattered;

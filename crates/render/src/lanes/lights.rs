@@ -1,4 +1,4 @@
-//! Light that reaches the surfaces of lanes from emitters. Rectangles, points that shine, and the
+//! Light that reaches the surfaces of lanes from emitters. Rectangles, point emitters, and the
 //! environment map are sampled all lanes at a time, other emitters one by one.
 
 use capwalk_boundary::{Accel, Streams};
@@ -11,7 +11,7 @@ use crate::emitter_choice::{EmitterChoice, MANY};
 use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
 use crate::lanes::lit::{Lit, SeenEmitter, SkyPoint};
 use crate::lanes::lobes::LaneLobes;
-use crate::lanes::points::{LookAtPoints, Point, ViewPoint};
+use crate::lanes::point_emitters::{LookAtPointEmitters, PointEmitter, ViewPointEmitter};
 use crate::lanes::scene::LaneScene;
 use crate::lanes::sky::{DrawSky, SeeSky, Sky};
 use crate::lanes::step::Vertices;
@@ -52,8 +52,8 @@ struct Kind<'a> {
     radiance: Option<Rgb>,
     /// True if it has no extent.
     is_delta: bool,
-    /// If it is a point that shines alike in all directions.
-    point: Option<Point>,
+    /// If it is one.
+    point: Option<PointEmitter>,
 }
 
 /// Which emitters surfaces choose.
@@ -61,10 +61,10 @@ pub struct LaneChoices {
     choices: [EmitterChoice; LANES],
     /// True if all emitters are alike in all lanes.
     are_alike: bool,
-    /// How much the surfaces receive of emitters that are points.
+    /// How much the surfaces receive of point emitters.
     views: Vec<Numbers>,
-    /// The points that they chose.
-    points: Vectors,
+    /// Where the point emitters are that they chose.
+    positions: Vectors,
     rectangles: Rectangles,
 }
 
@@ -91,10 +91,12 @@ impl<'a> LaneLights<'a> {
                 radiance: is_same.then(|| texture.texel(0)),
                 is_delta,
                 point: match emitter {
-                    Emitter::Point { position, .. } if texture.is_constant() => Some(Point {
-                        position: *position,
-                        intensity: texture.texel(0),
-                    }),
+                    Emitter::Point { position, .. } if texture.is_constant() => {
+                        Some(PointEmitter {
+                            position: *position,
+                            intensity: texture.texel(0),
+                        })
+                    }
                     _ => None,
                 },
             }
@@ -143,7 +145,7 @@ impl<'a> LaneLights<'a> {
             choices: std::array::from_fn(|_| EmitterChoice::alike(self.samplers.len())),
             are_alike: true,
             views: vec![[0.0; LANES]; self.kinds.len()],
-            points: Vectors::ZERO,
+            positions: Vectors::ZERO,
             rectangles,
         }
     }
@@ -167,16 +169,18 @@ impl<'a> LaneLights<'a> {
             true => lanes & on_emitters,
             false => 0,
         };
-        if by_light == 0 && choices.are_alike {
+        if by_light == 0 {
+            if !choices.are_alike {
+                let all = &mut choices.choices;
+                all.iter_mut().for_each(|choice| choice.make_alike(count));
+                choices.are_alike = true;
+            }
             return;
         }
         choices.are_alike = false;
-        let views = &mut choices.views;
-        for (views, kind) in views.iter_mut().zip(&self.kinds) {
-            if let Some(Point { position, .. }) = kind.point
-                && by_light != 0
-            {
-                *views = instructions.run(ViewPoint {
+        for (views, kind) in choices.views.iter_mut().zip(&self.kinds) {
+            if let Some(PointEmitter { position, .. }) = kind.point {
+                *views = instructions.run(ViewPointEmitter {
                     position,
                     vertices,
                     transmits,
@@ -284,7 +288,7 @@ impl<'a> LaneLights<'a> {
             } else if kind.is_sky {
                 skies |= 1 << lane;
             } else if let Some(point) = kind.point {
-                choices.points.set(lane, point.position);
+                choices.positions.set(lane, point.position);
                 lit.radiance.set_colour(lane, point.intensity);
                 lit.hits[lane] = None;
                 points |= 1 << lane;
@@ -297,9 +301,9 @@ impl<'a> LaneLights<'a> {
             }
         }
         if points != 0 {
-            instructions.run(LookAtPoints {
+            instructions.run(LookAtPointEmitters {
                 vertices,
-                positions: &choices.points,
+                positions: &choices.positions,
                 lanes: points,
                 lit,
             });

@@ -1,4 +1,4 @@
-//! Points that shine, all lanes at a time.
+//! Point emitters, all lanes at a time.
 
 use capwalk_geometry::simd::{Computation, Simd};
 use capwalk_math::{Rgb, Vec3};
@@ -8,24 +8,24 @@ use crate::lanes::step::Vertices;
 use crate::lanes::vectors::{LANES, Numbers, Vectors};
 use crate::receiver::cosine_in;
 
-/// A point that shines alike in all directions.
+/// A point emitter, which sends as much in all directions.
 #[derive(Clone, Copy, Debug)]
-pub struct Point {
+pub struct PointEmitter {
     pub position: Vec3,
     /// Its intensity.
     pub intensity: Rgb,
 }
 
-/// Finds how much surfaces receive of a point, over its brightness, if nothing is in between:
+/// Finds how much surfaces receive of a point emitter, over its brightness, if nothing is in between:
 /// [`EmitterSampler::view`](crate::emitter_sampler::EmitterSampler::view).
-pub struct ViewPoint<'a> {
+pub struct ViewPointEmitter<'a> {
     pub position: Vec3,
     pub vertices: &'a Vertices,
     /// One bit for each surface that transmits light.
     pub transmits: u32,
 }
 
-impl Computation for ViewPoint<'_> {
+impl Computation for ViewPointEmitter<'_> {
     type Output = Numbers;
     #[inline(always)]
     fn run<S: Simd>(self, _: S) -> Numbers {
@@ -36,23 +36,23 @@ impl Computation for ViewPoint<'_> {
             let direction = offset * (1.0 / squared.sqrt());
             let transmits = self.transmits >> lane & 1 == 1;
             let seen = cosine_in(direction.dot(self.vertices.normal(lane)), transmits) / squared;
-            // Nothing arrives from the point itself.
+            // Nothing arrives where it is.
             *view = if squared == 0.0 { 0.0 } else { seen };
         }
         views
     }
 }
 
-/// Finds the directions from surfaces towards points, and what arrives from there.
-pub struct LookAtPoints<'a> {
+/// Finds the directions from surfaces towards point emitters, and what arrives from there.
+pub struct LookAtPointEmitters<'a> {
     pub vertices: &'a Vertices,
-    /// The points of some lanes, whose intensities `lit.radiance` has.
+    /// The positions of those of some lanes, whose intensities `lit.radiance` has.
     pub positions: &'a Vectors,
     pub lanes: u32,
     pub lit: &'a mut Lit,
 }
 
-impl Computation for LookAtPoints<'_> {
+impl Computation for LookAtPointEmitters<'_> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(self, _: S) {
@@ -62,7 +62,7 @@ impl Computation for LookAtPoints<'_> {
             lanes,
             lit,
         } = self;
-        let squares = look_at_points(vertices, positions, lanes, lit);
+        let squares = look_at(vertices, positions, lanes, lit);
         for (lane, &squared) in squares.iter().enumerate() {
             lit.mask |= (lanes >> lane & u32::from(squared != 0.0)) << lane;
         }
@@ -71,7 +71,7 @@ impl Computation for LookAtPoints<'_> {
 }
 
 #[inline(always)]
-fn look_at_points(vertices: &Vertices, positions: &Vectors, lanes: u32, lit: &mut Lit) -> Numbers {
+fn look_at(vertices: &Vertices, positions: &Vectors, lanes: u32, lit: &mut Lit) -> Numbers {
     let mut squares = [0.0; LANES];
     for (lane, square) in squares.iter_mut().enumerate() {
         let offset = positions.get(lane) - vertices.position.get(lane);
