@@ -287,6 +287,13 @@ slang_constants! {
         UNIFORM = UNIFORM_EMITTERS, NARROW = capwalk_render::constants::NARROW,
     }
 
+    /// From how far away rectangles are sampled as such, how steep densities on them are at most, and the least squared cosine
+    /// at the surface that these follow.
+    far_rectangle {
+        FAR = capwalk_render::constants::FAR, MOST_TILT = capwalk_render::constants::MOST_TILT,
+        LEAST_COSINE2 = capwalk_render::constants::LEAST_COSINE2,
+    }
+
     /// Where the error function is one to the last digit of double precision, the smallest roughness, and the least weight of base
     /// and coat: what is black is sampled a little.
     facets {

@@ -1,6 +1,7 @@
 //! Numbers that make the estimators what they are, for renderers that take the same samples on other devices.
 
 pub use crate::emitter_choice::{MANY as MANY_EMITTERS, UNIFORM as UNIFORM_EMITTERS};
+pub use crate::far_rectangle::{FAR, LEAST_COSINE2, MOST_TILT};
 pub use crate::film::FILM;
 pub use crate::gathered_term::ROOTS;
 pub use crate::light::{NARROW, UNIFORM_SKY};

@@ -1,8 +1,7 @@
 //! Sixteen samples of a primal image at a time.
 //!
 //! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
-//! compares them one by one. (But rectangles are always sampled by solid angle, also where they are
-//! seen under less than a millionth of a steradian.) Paths advance together, stage by stage: rays,
+//! compares them one by one. Paths advance together, stage by stage: rays,
 //! surfaces, directions towards emitters, directions drawn from the surfaces. Rectangles, point
 //! emitters, environment maps, diffuse surfaces, rough metal and rough plastic are evaluated in loops over
 //! the lanes without a branch, of which the compiler makes vectors; other emitters and lobes one by one,
@@ -24,6 +23,7 @@ mod lit;
 mod lobes;
 mod point_emitters;
 mod rays;
+mod rectangles;
 mod rough;
 mod scattered;
 mod scene;
@@ -444,7 +444,7 @@ impl<'a> LaneTracer<'a> {
             (vertices, lobes),
             &paths.streams,
             first,
-            lanes,
+            [lanes, transmits],
             lit,
         );
         // Nothing else draws the direction of an emitter without extent.

@@ -22,6 +22,7 @@ mod emitter_choice;
 mod emitter_edge_term;
 mod emitter_sampler;
 mod estimate;
+mod far_rectangle;
 mod film;
 mod gathered_term;
 mod grid;

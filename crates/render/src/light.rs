@@ -227,7 +227,12 @@ pub fn emitter_pdf(
     match (sampler, hit) {
         (DirectionSampler::Area(triangles), Some(hit)) => {
             let face = hit.face - accel.emitter_face(emitter, 0);
-            triangles.pdf(receiver.position, face, direction, hit.t)
+            triangles.pdf(
+                [receiver.position, receiver.facing()],
+                face,
+                direction,
+                hit.t,
+            )
         }
         (DirectionSampler::Environment(table), _) => map_pdf(table, &table.map().place(direction)),
         (DirectionSampler::Constant, _) => {
@@ -269,7 +274,7 @@ impl TowardsEmitter {
         };
         match sampler {
             DirectionSampler::Area(triangles) => {
-                let point = triangles.sample(position, u)?;
+                let point = triangles.sample([position, receiver.facing()], u)?;
                 let hit = Hit {
                     t: point.distance,
                     face: accel.emitter_face(emitter, point.face),

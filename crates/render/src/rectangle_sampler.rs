@@ -1,9 +1,11 @@
-//! Sampling of directions towards a rectangle, uniformly by solid angle: in one piece, which
-//! takes less than half of the time of choosing between its two triangles.
+//! Sampling of directions towards a rectangle in one piece: from near by uniformly by solid angle, which takes less
+//! than half of the time of choosing between its two triangles, and from far away by [`FarRectangle`].
 
 use capwalk_geometry::Mesh;
 use capwalk_math::Vec3;
 use capwalk_math::spherical_rectangle::SphericalRectangle;
+
+use crate::far_rectangle::FarRectangle;
 
 /// By how much corners may be off a rectangle, as a fraction of its shorter side, and of their
 /// coordinates: more than the rounding of where a square is placed, and too little to be noticed.
@@ -30,6 +32,15 @@ pub struct RectangleSampler {
     /// For each triangle, what gives the weights of its second and third corner at a point:
     /// one number, and two that are multiplied by the place along the sides.
     pub weights: [[[f64; 3]; 2]; 2],
+}
+
+/// A rectangle as it is sampled from a viewpoint that is in front of it.
+#[derive(Clone, Copy, Debug)]
+pub enum SeenRectangle {
+    /// Uniformly by solid angle.
+    Near(SphericalRectangle),
+    /// In proportion to what is received, to first order.
+    Far(FarRectangle),
 }
 
 /// A point sampled on a rectangle.
@@ -91,22 +102,44 @@ impl RectangleSampler {
         Some(Self { rectangle, weights })
     }
 
-    /// The rectangle as it is seen from a point; `None` if that is not in front of it.
+    /// The rectangle as it is sampled for a surface, of which the position and the normal are given, or zero if
+    /// light counts from both sides; `None` if that is not in front of it.
     #[inline]
-    pub fn seen_from(&self, viewpoint: Vec3) -> Option<SphericalRectangle> {
+    pub fn seen_from(&self, viewpoint: Vec3, facing: Vec3) -> Option<SeenRectangle> {
+        let (far, is_far) = self.rectangle.seen_from_afar(viewpoint, facing);
+        if is_far {
+            return (far.rise > 0.0).then_some(SeenRectangle::Far(far));
+        }
         let (seen, is_in_front) = self.rectangle.seen(viewpoint);
-        is_in_front.then_some(seen)
+        is_in_front.then_some(SeenRectangle::Near(seen))
     }
 
-    /// A point of it, uniform by solid angle.
+    /// A point of it.
     #[inline]
-    pub fn sample(&self, seen: &SphericalRectangle, u: [f64; 2]) -> RectanglePoint {
-        let [x, y] = seen.sample(u);
-        let (face, barycentric) = self.place([x - seen.x[0], y - seen.y[0]]);
+    pub fn sample(&self, seen: &SeenRectangle, u: [f64; 2]) -> RectanglePoint {
+        let (place, first, rise) = match seen {
+            SeenRectangle::Near(seen) => (seen.sample(u), [seen.x[0], seen.y[0]], seen.z),
+            SeenRectangle::Far(far) => {
+                (far.place(far.sample(u)), far.place([-1.0, -1.0]), far.rise)
+            }
+        };
+        let (face, barycentric) = self.place([place[0] - first[0], place[1] - first[1]]);
         RectanglePoint {
-            offset: self.rectangle.at(seen, [x, y]),
+            offset: self.rectangle.offset_to(place, rise),
             face,
             barycentric,
+        }
+    }
+
+    /// The density per solid angle of the direction to a point of it, whose offset from the viewpoint is given.
+    #[inline]
+    pub fn pdf(&self, seen: &SeenRectangle, offset: Vec3) -> f64 {
+        match seen {
+            SeenRectangle::Near(seen) => 1.0 / seen.solid_angle,
+            SeenRectangle::Far(far) => {
+                let place = self.rectangle.sides.map(|side| side.dot(offset));
+                1.0 / far.inverse_density(far.point_at(place), offset.length())
+            }
         }
     }
 
@@ -144,15 +177,22 @@ impl Rectangle {
         SphericalRectangle::seen(bounds[0], bounds[1], -self.normal.dot(offset))
     }
 
-    /// A point of it, uniform by solid angle, from the viewpoint.
+    /// The rectangle as it is seen from far away for a surface, [`RectangleSampler::seen_from`], and whether that is
+    /// far enough away.
     #[inline(always)]
-    pub fn offset(&self, seen: &SphericalRectangle, u: [f64; 2]) -> Vec3 {
-        self.at(seen, seen.sample(u))
+    pub fn seen_from_afar(&self, viewpoint: Vec3, facing: Vec3) -> (FarRectangle, bool) {
+        let offset = self.corner - viewpoint;
+        let [s, t] = self.sides;
+        let half = [0.5 * self.lengths[0], 0.5 * self.lengths[1]];
+        let middle = [s.dot(offset) + half[0], t.dot(offset) + half[1]];
+        let normal = [s.dot(facing), t.dot(facing), -self.normal.dot(facing)];
+        FarRectangle::new(middle, half, -self.normal.dot(offset), normal)
     }
 
+    /// From a viewpoint to places along the sides from its foot, where the plane is at the distance `rise`.
     #[inline(always)]
-    fn at(&self, seen: &SphericalRectangle, [x, y]: [f64; 2]) -> Vec3 {
-        self.sides[0] * x + self.sides[1] * y - self.normal * seen.z
+    pub fn offset_to(&self, [x, y]: [f64; 2], rise: f64) -> Vec3 {
+        self.sides[0] * x + self.sides[1] * y - self.normal * rise
     }
 }
 

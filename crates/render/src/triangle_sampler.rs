@@ -6,7 +6,6 @@
 use std::ops::Range;
 
 use capwalk_geometry::Mesh;
-use capwalk_math::spherical_rectangle::SphericalRectangle;
 use capwalk_math::{Vec3, spherical_triangle};
 
 use crate::rectangle_sampler::RectangleSampler;
@@ -145,21 +144,25 @@ impl TriangleSampler {
     }
 
     /// A point that is seen from the front, and its density. `None` if there is none where
-    /// the random numbers lead.
-    pub fn sample(&self, viewpoint: Vec3, [mut u, v]: [f64; 2]) -> Option<TrianglePoint> {
+    /// the random numbers lead. `facing` is the normal of the surface at the viewpoint, [`Receiver::facing`].
+    ///
+    /// [`Receiver::facing`]: crate::receiver::Receiver::facing
+    pub fn sample(
+        &self,
+        [viewpoint, facing]: [Vec3; 2],
+        [mut u, v]: [f64; 2],
+    ) -> Option<TrianglePoint> {
         if let Some(rectangle) = &self.rectangle {
-            let seen = rectangle.seen_from(viewpoint)?;
-            if let Some(pdf) = rectangle_pdf(&seen) {
-                let point = rectangle.sample(&seen, [u, v]);
-                let distance = point.offset.length();
-                return Some(TrianglePoint {
-                    direction: point.offset / distance,
-                    distance,
-                    face: point.face,
-                    barycentric: point.barycentric,
-                    pdf,
-                });
-            }
+            let seen = rectangle.seen_from(viewpoint, facing)?;
+            let point = rectangle.sample(&seen, [u, v]);
+            let distance = point.offset.length();
+            return Some(TrianglePoint {
+                direction: point.offset / distance,
+                distance,
+                face: point.face,
+                barycentric: point.barycentric,
+                pdf: rectangle.pdf(&seen, point.offset),
+            });
         }
         // Descend by how large the halves are seen, and use the random number again.
         let mut node = &self.nodes[0];
@@ -240,14 +243,16 @@ impl TriangleSampler {
 
     /// Density per solid angle with which [`TriangleSampler::sample`] draws the direction to a
     /// point of the front of a triangle.
-    pub fn pdf(&self, viewpoint: Vec3, face: u32, direction: Vec3, distance: f64) -> f64 {
+    pub fn pdf(
+        &self,
+        [viewpoint, facing]: [Vec3; 2],
+        face: u32,
+        direction: Vec3,
+        distance: f64,
+    ) -> f64 {
         if let Some(rectangle) = &self.rectangle {
-            let Some(seen) = rectangle.seen_from(viewpoint) else {
-                return 0.0;
-            };
-            if let Some(pdf) = rectangle_pdf(&seen) {
-                return pdf;
-            }
+            let seen = rectangle.seen_from(viewpoint, facing);
+            return seen.map_or(0.0, |seen| rectangle.pdf(&seen, direction * distance));
         }
         let rank = self.rank[face as usize] as usize;
         let mut node = &self.nodes[0];
@@ -287,13 +292,6 @@ impl TriangleSampler {
         }
         found
     }
-}
-
-/// Density per solid angle with which a rectangle is sampled in one piece; `None` if it is seen
-/// so small that its triangles are sampled instead, by area.
-#[inline]
-fn rectangle_pdf(seen: &SphericalRectangle) -> Option<f64> {
-    (seen.solid_angle >= SMALL).then(|| 1.0 / seen.solid_angle)
 }
 
 /// How a triangle's point is sampled, as a density per solid angle times the solid angle
@@ -429,13 +427,16 @@ mod tests {
         ]
     }
 
-    /// Far, near, within the ball around some of them, and nearly in a plane of the cube.
-    const VIEWPOINTS: [[f64; 3]; 5] = [
+    /// Far, near, within the ball around some of them, nearly in a plane of the cube, and twice as far from
+    /// a rectangle as its corners are from its middle.
+    const VIEWPOINTS: [[f64; 3]; 7] = [
         [40.0, 10.0, -35.0],
         [0.2, 0.1, 0.2],
         [0.9, -0.3, 0.75],
         [-0.6, 0.4, 1.6],
         [0.5, -0.2, 3.0],
+        [1.9, 1.2, 0.6],
+        [-1.3, -1.6, 2.4],
     ];
 
     /// The `i`-th of points that fill the unit square evenly.
@@ -453,79 +454,129 @@ mod tests {
         sides.into_iter().fold(Vec3::zero(), |sum, side| sum + side)
     }
 
+    /// Of surfaces that receive light from both sides, and that face a mesh, or nearly away from it.
+    fn normals(towards: Vec3) -> [Vec3; 4] {
+        let [front, across] = [
+            towards.normalized(),
+            towards.cross(Vec3::new(0.3, 0.9, -0.2)).normalized(),
+        ];
+        let turned = |angle: f64| front * angle.cos() + across * angle.sin();
+        [Vec3::zero(), front, turned(1.2), turned(1.55)]
+    }
+
     /// Over its density, a sample gives the solid angle of all that is seen from the front,
     /// and the integral of directions over it; and the density is what `pdf` says.
     #[test]
     fn samples_have_their_densities() {
-        for (name, mesh) in meshes() {
+        let cases = meshes().into_iter().flat_map(|(name, mesh)| {
+            let viewpoints = VIEWPOINTS.map(Vec3::from).into_iter();
+            let surfaces = viewpoints.flat_map(move |viewpoint| {
+                let all = normals(Vec3::new(0.3, -0.2, 1.5) - viewpoint);
+                // Nothing but rectangles depends on them.
+                let count = if name == "rectangle" { all.len() } else { 1 };
+                all.into_iter().take(count).map(move |n| [viewpoint, n])
+            });
+            surfaces.map(move |surface| (name, mesh.clone(), surface))
+        });
+        for (name, mesh, surface) in cases {
             let sampler = TriangleSampler::new(&mesh);
-            for viewpoint in VIEWPOINTS.map(Vec3::from) {
-                let faces = (0..mesh.faces.len()).map(|face| mesh.corners(face));
-                let seen = faces.map(|corners| corners.map(|p| p - viewpoint));
-                let seen = seen.filter(|c| spherical_triangle::solid_angle(*c) > 0.0);
-                let expected = seen.fold((0.0, Vec3::zero()), |(angle, sum), corners| {
-                    let own = spherical_triangle::solid_angle(corners);
-                    (angle + own, sum + mean_direction(corners))
+            let [viewpoint, _] = surface;
+            let faces = (0..mesh.faces.len()).map(|face| mesh.corners(face));
+            let seen = faces.map(|corners| corners.map(|p| p - viewpoint));
+            let seen = seen.filter(|c| spherical_triangle::solid_angle(*c) > 0.0);
+            let expected = seen.fold((0.0, Vec3::zero()), |(angle, sum), corners| {
+                let own = spherical_triangle::solid_angle(corners);
+                (angle + own, sum + mean_direction(corners))
+            });
+            let n = 100_000;
+            let (mut angle, mut sum) = (0.0, Vec3::zero());
+            for i in 0..n {
+                let Some(point) = sampler.sample(surface, numbers(i)) else {
+                    continue;
+                };
+                let distance = point.distance;
+                assert!((point.direction.length() - 1.0).abs() < 1e-14);
+                let position = viewpoint + point.direction * distance;
+                let [a, b, c] = mesh.corners(point.face as usize);
+                let [wb, wc] = point.barycentric;
+                let mixed = a + (b - a) * wb + (c - a) * wc;
+                assert!((mixed - position).length() < 1e-9 * distance, "{name}");
+                let pdf = sampler.pdf(surface, point.face, point.direction, distance);
+                assert!((pdf / point.pdf - 1.0).abs() < 1e-9, "{name}");
+                let weight = 1.0 / (point.pdf * f64::from(n));
+                angle += weight;
+                sum += point.direction * weight;
+            }
+            let error = (angle - expected.0).abs() + (sum - expected.1).length();
+            assert!(
+                error <= 4e-3 * expected.0,
+                "{name}, {viewpoint:?}: {error:e}"
+            );
+        }
+    }
+
+    /// What a surface receives from a rectangle differs little from point to point of it: less than where points
+    /// are uniform by solid angle, and from behind there is none.
+    #[test]
+    fn far_rectangles_follow_what_is_received() {
+        let (_, mesh) = meshes().swap_remove(0);
+        let sampler = TriangleSampler::new(&mesh);
+        let middle = Vec3::new(0.3, -0.2, 1.5);
+        let away = Vec3::new(1.8, 0.5, -1.5);
+        for distance in [2.6, 5.0, 20.0, 3000.0] {
+            let viewpoint = middle + away.normalized() * distance;
+            let seen = sampler.sample([viewpoint, Vec3::zero()], [0.3, 0.6]);
+            let behind = middle * 2.0 - viewpoint;
+            let unseen = sampler.sample([behind, Vec3::zero()], [0.3, 0.6]);
+            let (viewpoint, seen) = match (seen, unseen) {
+                (Some(point), None) => (viewpoint, point),
+                (None, Some(point)) => (behind, point),
+                _ => panic!("one of both is in front"),
+            };
+            let turn = |direction: Vec3| direction.cross(seen.direction).length();
+            assert!(turn((middle - viewpoint).normalized()) < 0.5);
+            for facing in normals(middle - viewpoint).into_iter().take(3) {
+                let spread = |sample: &dyn Fn([f64; 2]) -> (Vec3, f64)| {
+                    let mut received = Moments::default();
+                    for i in 0..4000 {
+                        let (direction, pdf) = sample(numbers(i));
+                        let cos = if facing == Vec3::zero() {
+                            1.0
+                        } else {
+                            direction.dot(facing)
+                        };
+                        received.add(cos.max(0.0) / pdf);
+                    }
+                    received.variance().sqrt() / received.mean
+                };
+                let found = spread(&|u| {
+                    let point = sampler.sample([viewpoint, facing], u).expect("in front");
+                    (point.direction, point.pdf)
                 });
-                let n = 100_000;
-                let (mut angle, mut sum) = (0.0, Vec3::zero());
-                for i in 0..n {
-                    let Some(point) = sampler.sample(viewpoint, numbers(i)) else {
-                        continue;
-                    };
-                    let distance = point.distance;
-                    assert!((point.direction.length() - 1.0).abs() < 1e-14);
-                    let position = viewpoint + point.direction * distance;
-                    let [a, b, c] = mesh.corners(point.face as usize);
-                    let [wb, wc] = point.barycentric;
-                    let mixed = a + (b - a) * wb + (c - a) * wc;
-                    assert!((mixed - position).length() < 1e-9 * distance, "{name}");
-                    let pdf = sampler.pdf(viewpoint, point.face, point.direction, distance);
-                    assert!((pdf / point.pdf - 1.0).abs() < 1e-9, "{name}");
-                    let weight = 1.0 / (point.pdf * f64::from(n));
-                    angle += weight;
-                    sum += point.direction * weight;
-                }
-                let error = (angle - expected.0).abs() + (sum - expected.1).length();
-                assert!(
-                    error <= 4e-3 * expected.0,
-                    "{name}, {viewpoint:?}: {error:e}"
-                );
+                let rectangle = &sampler.rectangle().expect("one").rectangle;
+                let (by_angle, _) = rectangle.seen(viewpoint);
+                let uniform = spread(&|u| {
+                    let offset = rectangle.offset_to(by_angle.sample(u), by_angle.z);
+                    (offset.normalized(), 1.0 / by_angle.solid_angle)
+                });
+                // What is left is of second order.
+                let most = (0.3 * uniform).max(1.6 / (distance * distance));
+                assert!(found < most, "{distance}, {facing:?}: {found} of {uniform}");
             }
         }
     }
 
-    /// A rectangle that is seen very small is sampled by area, and from behind not at all.
-    #[test]
-    fn small_rectangles_are_sampled_by_area() {
-        let (_, mesh) = meshes().swap_remove(0);
-        let sampler = TriangleSampler::new(&mesh);
-        let far = [1.0, -1.0].map(|side| Vec3::new(1800.0, 500.0, -1500.0) * side);
-        let seen = far.into_iter().filter_map(|viewpoint| {
-            let point = sampler.sample(viewpoint, [0.3, 0.6])?;
-            let corners = |face| mesh.corners(face).map(|p| p - viewpoint);
-            let angle: f64 = (0..2)
-                .map(|face| spherical_triangle::solid_angle(corners(face)))
-                .sum();
-            assert!(angle < SMALL && (point.pdf * angle - 1.0).abs() < 1e-2);
-            let pdf = sampler.pdf(viewpoint, point.face, point.direction, point.distance);
-            assert!((pdf / point.pdf - 1.0).abs() < 1e-9);
-            Some(())
-        });
-        assert_eq!(seen.count(), 1);
-    }
-
-    /// Of a rectangle all directions have the same density, and of others roughly: sampled
+    /// Of a rectangle all directions have nearly the same density, and of others roughly: sampled
     /// by area, a ball has a standard deviation of more than the mean.
     #[test]
     fn densities_are_nearly_uniform() {
         let mut seen = 0;
-        for ((name, mesh), bound) in meshes().into_iter().zip([1e-9, 0.3, 0.9, 0.9]) {
+        for ((name, mesh), bound) in meshes().into_iter().zip([1e-3, 0.3, 0.9, 0.9]) {
             let sampler = TriangleSampler::new(&mesh);
             for viewpoint in VIEWPOINTS[..2].iter().map(|&p| Vec3::from(p)) {
                 let mut weights = Moments::default();
                 for i in 0..4000 {
-                    let point = sampler.sample(viewpoint, numbers(i));
+                    let point = sampler.sample([viewpoint, Vec3::zero()], numbers(i));
                     weights.add(point.map_or(0.0, |point| 1.0 / point.pdf));
                 }
                 // Some are seen from behind.

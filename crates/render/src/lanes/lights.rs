@@ -3,7 +3,7 @@
 
 use capwalk_boundary::{Accel, Streams};
 use capwalk_geometry::Hit;
-use capwalk_geometry::simd::{Computation, Instructions, Simd};
+use capwalk_geometry::simd::Instructions;
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::{Emitter, EmitterId, Scene, TextureId};
 
@@ -12,6 +12,7 @@ use crate::emitter_sampler::{DirectionSampler, EmitterSampler};
 use crate::lanes::lit::{Lit, SeenEmitter, SkyPoint};
 use crate::lanes::lobes::LaneLobes;
 use crate::lanes::point_emitters::{LookAtPointEmitters, PointEmitter, ViewPointEmitter};
+use crate::lanes::rectangles::{Rectangles, SampleRectangles};
 use crate::lanes::scene::LaneScene;
 use crate::lanes::sky::{DrawSky, SeeSky, Sky};
 use crate::lanes::step::Vertices;
@@ -21,7 +22,7 @@ use crate::path_adjoint::PathAdjoint;
 use crate::plan::LightSampling;
 use crate::prepared::PreparedScene;
 use crate::receiver::Receiver;
-use crate::rectangle_sampler::{Rectangle, RectangleSampler};
+use crate::rectangle_sampler::RectangleSampler;
 use crate::scene_eval::Primal;
 use crate::surface::{emitted_at, irradiance_of};
 use crate::triangle_sampler::Node;
@@ -205,7 +206,7 @@ impl<'a> LaneLights<'a> {
         }
     }
 
-    /// Draws directions towards emitters at some lanes, whatever is in between.
+    /// Draws directions towards emitters at some lanes, whatever is in between; some of the surfaces transmit light.
     pub fn draw(
         &self,
         instructions: Instructions,
@@ -213,7 +214,7 @@ impl<'a> LaneLights<'a> {
         (vertices, lobes): (&Vertices, &LaneLobes<'_>),
         streams: &Streams<LANES>,
         first: u32,
-        lanes: u32,
+        [lanes, transmits]: [u32; 2],
         lit: &mut Lit,
     ) {
         (lit.mask, lit.of_delta) = (0, 0);
@@ -237,6 +238,7 @@ impl<'a> LaneLights<'a> {
             instructions.run(SampleRectangles {
                 rectangles: &choices.rectangles,
                 vertices,
+                transmits,
                 streams,
                 first: first + 1,
                 lanes: rectangles,
@@ -550,118 +552,4 @@ fn is_asked(scene: &Scene, emitter: &Emitter, is_asked_for: &dyn Fn(TextureId) -
             None => slot.texture,
         })
     })
-}
-
-/// A rectangle for each lane.
-struct Rectangles {
-    corner: Vectors,
-    sides: [Vectors; 2],
-    normal: Vectors,
-    lengths: [Numbers; 2],
-}
-
-impl Rectangles {
-    /// None yet.
-    const NONE: Self = Self {
-        corner: Vectors::ZERO,
-        sides: [Vectors::ZERO; 2],
-        normal: Vectors::UP,
-        lengths: [[1.0; LANES]; 2],
-    };
-
-    /// The same in all lanes.
-    fn fill(&mut self, rectangle: &Rectangle) {
-        self.corner = Vectors::splat(rectangle.corner.to_array());
-        self.normal = Vectors::splat(rectangle.normal.to_array());
-        self.sides = rectangle.sides.map(|side| Vectors::splat(side.to_array()));
-        self.lengths = rectangle.lengths.map(|length| [length; LANES]);
-    }
-
-    #[inline]
-    fn set(&mut self, lane: usize, rectangle: &Rectangle) {
-        self.corner.set(lane, rectangle.corner);
-        self.normal.set(lane, rectangle.normal);
-        for i in 0..2 {
-            self.sides[i].set(lane, rectangle.sides[i]);
-            self.lengths[i][lane] = rectangle.lengths[i];
-        }
-    }
-
-    #[inline(always)]
-    fn get(&self, lane: usize) -> Rectangle {
-        Rectangle {
-            corner: self.corner.get(lane),
-            sides: [self.sides[0].get(lane), self.sides[1].get(lane)],
-            normal: self.normal.get(lane),
-            lengths: [self.lengths[0][lane], self.lengths[1][lane]],
-        }
-    }
-}
-
-/// Samples points on rectangles, uniformly by solid angle.
-struct SampleRectangles<'a> {
-    rectangles: &'a Rectangles,
-    vertices: &'a Vertices,
-    streams: &'a Streams<LANES>,
-    /// The first of two random numbers.
-    first: u32,
-    /// One bit for each that needs a point.
-    lanes: u32,
-    lit: &'a mut Lit,
-}
-
-impl Computation for SampleRectangles<'_> {
-    type Output = ();
-    #[inline(always)]
-    fn run<S: Simd>(self, _: S) {
-        let Self {
-            rectangles,
-            vertices,
-            streams,
-            first,
-            lanes,
-            lit,
-        } = self;
-        // One after the other: a call of `map` would not be compiled for the same instructions.
-        let u = [
-            streams.numbers(first, lanes),
-            streams.numbers(first + 1, lanes),
-        ];
-        let solid_angles = sample_rectangles(rectangles, vertices, &u, lanes, lit);
-        for (lane, solid_angle) in solid_angles.into_iter().enumerate() {
-            // What is not a number is not dark: the pixel counts it.
-            let is_dark = solid_angle <= 0.0;
-            lit.mask |= (lanes >> lane & u32::from(!is_dark)) << lane;
-        }
-    }
-}
-
-#[inline(always)]
-fn sample_rectangles(
-    rectangles: &Rectangles,
-    vertices: &Vertices,
-    u: &[Numbers; 2],
-    lanes: u32,
-    lit: &mut Lit,
-) -> Numbers {
-    let mut solid_angles = [0.0; LANES];
-    for lane in 0..LANES {
-        let rectangle = rectangles.get(lane);
-        let (seen, _) = rectangle.seen(vertices.position.get(lane));
-        let offset = rectangle.offset(&seen, [u[0][lane], u[1][lane]]);
-        let distance = offset.length();
-        let is_asked = lanes >> lane & 1 == 1;
-        let (kept, direction) = (lit.direction.get(lane), offset * (1.0 / distance));
-        let factor = if is_asked { seen.solid_angle } else { 1.0 };
-        lit.direction
-            .set(lane, if is_asked { direction } else { kept });
-        lit.range[1][lane] = if is_asked {
-            distance
-        } else {
-            lit.range[1][lane]
-        };
-        lit.inverse_density[lane] *= factor;
-        solid_angles[lane] = seen.solid_angle;
-    }
-    solid_angles
 }
