@@ -12,7 +12,7 @@ use crate::elementary::{angle_of, sin_cos};
 
 /// A rectangle whose plane is closer to the viewpoint than this fraction of its distance
 /// cannot be told from one that is seen from within its plane: more than rounding.
-const IN_ITS_PLANE: f64 = 1e-12;
+pub const IN_ITS_PLANE: f64 = 1e-12;
 
 /// A rectangle as it is seen from a viewpoint.
 #[derive(Clone, Copy, Debug)]

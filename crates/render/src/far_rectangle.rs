@@ -1,9 +1,12 @@
 //! A rectangle from far away: points on it are drawn by a density that follows, to first order, what a surface
 //! receives from them. It is a product of linear functions of the places along both sides, so that a point takes two
 //! square roots, a third of the time of one that is uniform by solid angle ([`SphericalRectangle`]), and what
-//! it weighs differs less from point to point: the cosine at the surface is in it.
+//! it weighs differs less from point to point, since the cosine at the surface is in it. (Of second order is the rest:
+//! a tenth where a rectangle just far enough is seen from its front, and more where it is seen edge-on.)
 //!
 //! [`SphericalRectangle`]: capwalk_math::spherical_rectangle::SphericalRectangle
+
+use capwalk_math::spherical_rectangle::IN_ITS_PLANE;
 
 /// From how far away this is enough: the squared distance of the middle over that of a corner from the middle.
 pub const FAR: f64 = 5.0;
@@ -11,9 +14,6 @@ pub const FAR: f64 = 5.0;
 pub const MOST_TILT: f64 = 0.9;
 /// The least cosine at the surface, squared, that is followed: below it changes much from point to point.
 pub const LEAST_COSINE2: f64 = 0.01;
-/// A rectangle whose plane is closer to the viewpoint than this fraction of its distance cannot be told from one
-/// that is seen from within its plane: more than rounding.
-const IN_ITS_PLANE: f64 = 1e-12;
 
 /// A rectangle that is seen from far away.
 #[derive(Clone, Copy, Debug)]
@@ -29,25 +29,27 @@ pub struct FarRectangle {
 }
 
 impl FarRectangle {
-    /// The rectangle with this middle and these halves of its sides, at a distance from its plane, for a surface
-    /// whose unit normal has these coordinates along the sides and towards the plane: zero if light counts from both
-    /// sides. The second is true if it is far enough away.
+    /// The rectangle, and whether it is far enough away for this: with this middle and these halves of its sides, at
+    /// a distance from its plane, for a surface whose unit normal has these coordinates along the sides and towards
+    /// the plane.
     #[inline(always)]
-    pub fn new(middle: [f64; 2], half: [f64; 2], rise: f64, normal: [f64; 3]) -> (Self, bool) {
+    pub fn seen(middle: [f64; 2], half: [f64; 2], rise: f64, normal: [f64; 3]) -> (Self, bool) {
         let [x, y] = middle;
         let [nx, ny, nz] = normal;
         let squared = x * x + y * y + rise * rise;
-        // A surface at the origin receives (n·o) rise / |o|⁴ from the area at o, and by directions rise / |o|³. The
-        // slopes of the logarithm of that are n / (n·o) - 4 o / |o|², and -3 o / |o|².
+        // A surface at the origin receives (n·o) rise / |o|⁴ from the area at o: the slope of the logarithm of that
+        // is n / (n·o) - 4 o / |o|². Where the middle is behind the surface, or nearly, the solid angle alone is
+        // followed, which is rise / |o|³ of the area: then the slope is -3 o / |o|².
         let cos = nx * x + ny * y + nz * rise;
         let has_cosine = cos > 0.0 && cos * cos > LEAST_COSINE2 * squared;
-        let (below, falls, rises) = match has_cosine {
-            true => (squared * cos, -4.0 * cos, squared),
-            false => (squared, -3.0, 0.0),
+        let (below, falls) = match has_cosine {
+            true => (squared * cos, -4.0 * cos),
+            false => (squared, -3.0),
         };
         let inverse = 1.0 / below;
         let slope = |normal: f64, middle: f64, half: f64| {
-            let slope = half * (falls * middle + rises * normal) * inverse;
+            let rises = if has_cosine { squared * normal } else { 0.0 };
+            let slope = half * (falls * middle + rises) * inverse;
             let slope = if slope > MOST_TILT { MOST_TILT } else { slope };
             if slope < -MOST_TILT {
                 -MOST_TILT

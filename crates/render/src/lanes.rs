@@ -444,7 +444,7 @@ impl<'a> LaneTracer<'a> {
             (vertices, lobes),
             &paths.streams,
             first,
-            [lanes, transmits],
+            lanes,
             lit,
         );
         // Nothing else draws the direction of an emitter without extent.

@@ -228,7 +228,7 @@ pub fn emitter_pdf(
         (DirectionSampler::Area(triangles), Some(hit)) => {
             let face = hit.face - accel.emitter_face(emitter, 0);
             triangles.pdf(
-                [receiver.position, receiver.facing()],
+                [receiver.position, receiver.frame.n],
                 face,
                 direction,
                 hit.t,
@@ -274,7 +274,7 @@ impl TowardsEmitter {
         };
         match sampler {
             DirectionSampler::Area(triangles) => {
-                let point = triangles.sample([position, receiver.facing()], u)?;
+                let point = triangles.sample([position, receiver.frame.n], u)?;
                 let hit = Hit {
                     t: point.distance,
                     face: accel.emitter_face(emitter, point.face),

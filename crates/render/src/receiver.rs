@@ -45,16 +45,6 @@ impl Receiver {
         cosine_in(direction.dot(self.frame.n), self.transmits)
     }
 
-    /// The normal with which the cosine of light is taken, or zero if that can come from both sides.
-    #[inline]
-    pub fn facing(&self) -> Vec3 {
-        if self.transmits {
-            Vec3::zero()
-        } else {
-            self.frame.n
-        }
-    }
-
     /// True if light from a unit direction comes from behind. False for NaN, which the pixel counts.
     #[inline]
     pub fn is_behind(&self, direction: Vec3) -> bool {

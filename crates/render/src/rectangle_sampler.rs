@@ -102,11 +102,11 @@ impl RectangleSampler {
         Some(Self { rectangle, weights })
     }
 
-    /// The rectangle as it is sampled for a surface, of which the position and the normal are given, or zero if
-    /// light counts from both sides; `None` if that is not in front of it.
+    /// The rectangle as it is sampled for a surface, of which the position and the shading normal are given; `None` if
+    /// that is not in front of it.
     #[inline]
-    pub fn seen_from(&self, viewpoint: Vec3, facing: Vec3) -> Option<SeenRectangle> {
-        let (far, is_far) = self.rectangle.seen_from_afar(viewpoint, facing);
+    pub fn seen_from(&self, viewpoint: Vec3, n: Vec3) -> Option<SeenRectangle> {
+        let (far, is_far) = self.rectangle.seen_from_afar(viewpoint, n);
         if is_far {
             return (far.rise > 0.0).then_some(SeenRectangle::Far(far));
         }
@@ -160,8 +160,9 @@ impl RectangleSampler {
         let least = weights.map(|[wb, wc]| wb.min(wc).min(1.0 - wb - wc));
         let face = usize::from(least[1] > least[0]);
         let [wb, wc] = weights[face];
+        // The second not by `clamp`, which panics where its bounds are not numbers.
         let wb = wb.clamp(0.0, 1.0);
-        (face as u32, [wb, wc.clamp(0.0, 1.0 - wb)])
+        (face as u32, [wb, wc.max(0.0).min(1.0 - wb)])
     }
 }
 
@@ -180,13 +181,13 @@ impl Rectangle {
     /// The rectangle as it is seen from far away for a surface, [`RectangleSampler::seen_from`], and whether that is
     /// far enough away.
     #[inline(always)]
-    pub fn seen_from_afar(&self, viewpoint: Vec3, facing: Vec3) -> (FarRectangle, bool) {
+    pub fn seen_from_afar(&self, viewpoint: Vec3, n: Vec3) -> (FarRectangle, bool) {
         let offset = self.corner - viewpoint;
         let [s, t] = self.sides;
         let half = [0.5 * self.lengths[0], 0.5 * self.lengths[1]];
         let middle = [s.dot(offset) + half[0], t.dot(offset) + half[1]];
-        let normal = [s.dot(facing), t.dot(facing), -self.normal.dot(facing)];
-        FarRectangle::new(middle, half, -self.normal.dot(offset), normal)
+        let normal = [s.dot(n), t.dot(n), -self.normal.dot(n)];
+        FarRectangle::seen(middle, half, -self.normal.dot(offset), normal)
     }
 
     /// From a viewpoint to places along the sides from its foot, where the plane is at the distance `rise`.

@@ -144,16 +144,10 @@ impl TriangleSampler {
     }
 
     /// A point that is seen from the front, and its density. `None` if there is none where
-    /// the random numbers lead. `facing` is the normal of the surface at the viewpoint, [`Receiver::facing`].
-    ///
-    /// [`Receiver::facing`]: crate::receiver::Receiver::facing
-    pub fn sample(
-        &self,
-        [viewpoint, facing]: [Vec3; 2],
-        [mut u, v]: [f64; 2],
-    ) -> Option<TrianglePoint> {
+    /// the random numbers lead. The surface at the viewpoint has the shading normal `n`.
+    pub fn sample(&self, [viewpoint, n]: [Vec3; 2], [mut u, v]: [f64; 2]) -> Option<TrianglePoint> {
         if let Some(rectangle) = &self.rectangle {
-            let seen = rectangle.seen_from(viewpoint, facing)?;
+            let seen = rectangle.seen_from(viewpoint, n)?;
             let point = rectangle.sample(&seen, [u, v]);
             let distance = point.offset.length();
             return Some(TrianglePoint {
@@ -243,15 +237,9 @@ impl TriangleSampler {
 
     /// Density per solid angle with which [`TriangleSampler::sample`] draws the direction to a
     /// point of the front of a triangle.
-    pub fn pdf(
-        &self,
-        [viewpoint, facing]: [Vec3; 2],
-        face: u32,
-        direction: Vec3,
-        distance: f64,
-    ) -> f64 {
+    pub fn pdf(&self, [viewpoint, n]: [Vec3; 2], face: u32, direction: Vec3, distance: f64) -> f64 {
         if let Some(rectangle) = &self.rectangle {
-            let seen = rectangle.seen_from(viewpoint, facing);
+            let seen = rectangle.seen_from(viewpoint, n);
             return seen.map_or(0.0, |seen| rectangle.pdf(&seen, direction * distance));
         }
         let rank = self.rank[face as usize] as usize;
@@ -454,14 +442,14 @@ mod tests {
         sides.into_iter().fold(Vec3::zero(), |sum, side| sum + side)
     }
 
-    /// Of surfaces that receive light from both sides, and that face a mesh, or nearly away from it.
+    /// Of surfaces that face away from a mesh, face it, and are tilted, nearly by a right angle the last.
     fn normals(towards: Vec3) -> [Vec3; 4] {
         let [front, across] = [
             towards.normalized(),
             towards.cross(Vec3::new(0.3, 0.9, -0.2)).normalized(),
         ];
         let turned = |angle: f64| front * angle.cos() + across * angle.sin();
-        [Vec3::zero(), front, turned(1.2), turned(1.55)]
+        [-front, front, turned(1.2), turned(1.55)]
     }
 
     /// Over its density, a sample gives the solid angle of all that is seen from the front,
@@ -525,9 +513,10 @@ mod tests {
         let away = Vec3::new(1.8, 0.5, -1.5);
         for distance in [2.6, 5.0, 20.0, 3000.0] {
             let viewpoint = middle + away.normalized() * distance;
-            let seen = sampler.sample([viewpoint, Vec3::zero()], [0.3, 0.6]);
+            let up = Vec3::new(0.0, 0.0, 1.0);
+            let seen = sampler.sample([viewpoint, up], [0.3, 0.6]);
             let behind = middle * 2.0 - viewpoint;
-            let unseen = sampler.sample([behind, Vec3::zero()], [0.3, 0.6]);
+            let unseen = sampler.sample([behind, up], [0.3, 0.6]);
             let (viewpoint, seen) = match (seen, unseen) {
                 (Some(point), None) => (viewpoint, point),
                 (None, Some(point)) => (behind, point),
@@ -535,22 +524,20 @@ mod tests {
             };
             let turn = |direction: Vec3| direction.cross(seen.direction).length();
             assert!(turn((middle - viewpoint).normalized()) < 0.5);
-            for facing in normals(middle - viewpoint).into_iter().take(3) {
+            let [away, front, tilted, _] = normals(middle - viewpoint);
+            for n in [away, front, tilted] {
                 let spread = |sample: &dyn Fn([f64; 2]) -> (Vec3, f64)| {
                     let mut received = Moments::default();
                     for i in 0..4000 {
                         let (direction, pdf) = sample(numbers(i));
-                        let cos = if facing == Vec3::zero() {
-                            1.0
-                        } else {
-                            direction.dot(facing)
-                        };
+                        // Where the surface faces away, the solid angle is followed.
+                        let cos = if n == away { 1.0 } else { direction.dot(n) };
                         received.add(cos.max(0.0) / pdf);
                     }
                     received.variance().sqrt() / received.mean
                 };
                 let found = spread(&|u| {
-                    let point = sampler.sample([viewpoint, facing], u).expect("in front");
+                    let point = sampler.sample([viewpoint, n], u).expect("in front");
                     (point.direction, point.pdf)
                 });
                 let rectangle = &sampler.rectangle().expect("one").rectangle;
@@ -561,12 +548,33 @@ mod tests {
                 });
                 // What is left is of second order.
                 let most = (0.3 * uniform).max(1.6 / (distance * distance));
-                assert!(found < most, "{distance}, {facing:?}: {found} of {uniform}");
+                assert!(found < most, "{distance}, {n:?}: {found} of {uniform}");
             }
         }
     }
 
-    /// Of a rectangle all directions have nearly the same density, and of others roughly: sampled
+    /// From within its plane nothing of a rectangle is seen, and a normal that is not a number does no harm.
+    #[test]
+    fn far_rectangles_have_limits() {
+        let (_, mesh) = meshes().swap_remove(0);
+        let sampler = TriangleSampler::new(&mesh);
+        let rectangle = &sampler.rectangle().expect("one").rectangle;
+        for i in 0..100 {
+            let [s, t] = numbers(i).map(|x| 40.0 * x + 3.0);
+            let within = rectangle.corner + rectangle.sides[0] * s - rectangle.sides[1] * t;
+            let up = rectangle.normal;
+            assert!(sampler.sample([within, up], [0.3, 0.6]).is_none());
+            let direction = (rectangle.corner - within).normalized();
+            assert_eq!(sampler.pdf([within, up], 0, direction, 1.0), 0.0);
+            let above = within + up * 2.0;
+            let point = sampler.sample([above, Vec3::splat(f64::NAN)], [0.3, 0.6]);
+            assert!(point.is_some_and(|point| point.direction.is_finite() && point.pdf > 0.0));
+            let nowhere = Vec3::splat(f64::NAN);
+            assert!(sampler.sample([nowhere, up], [0.3, 0.6]).is_none());
+        }
+    }
+
+    /// Of a rectangle, from far away, all directions have nearly the same density, and of others roughly: sampled
     /// by area, a ball has a standard deviation of more than the mean.
     #[test]
     fn densities_are_nearly_uniform() {
@@ -574,9 +582,10 @@ mod tests {
         for ((name, mesh), bound) in meshes().into_iter().zip([1e-3, 0.3, 0.9, 0.9]) {
             let sampler = TriangleSampler::new(&mesh);
             for viewpoint in VIEWPOINTS[..2].iter().map(|&p| Vec3::from(p)) {
+                let away = (viewpoint - Vec3::new(0.3, -0.2, 1.5)).normalized();
                 let mut weights = Moments::default();
                 for i in 0..4000 {
-                    let point = sampler.sample([viewpoint, Vec3::zero()], numbers(i));
+                    let point = sampler.sample([viewpoint, away], numbers(i));
                     weights.add(point.map_or(0.0, |point| 1.0 / point.pdf));
                 }
                 // Some are seen from behind.

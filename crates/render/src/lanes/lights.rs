@@ -206,7 +206,7 @@ impl<'a> LaneLights<'a> {
         }
     }
 
-    /// Draws directions towards emitters at some lanes, whatever is in between; some of the surfaces transmit light.
+    /// Draws directions towards emitters at some lanes, whatever is in between.
     pub fn draw(
         &self,
         instructions: Instructions,
@@ -214,7 +214,7 @@ impl<'a> LaneLights<'a> {
         (vertices, lobes): (&Vertices, &LaneLobes<'_>),
         streams: &Streams<LANES>,
         first: u32,
-        [lanes, transmits]: [u32; 2],
+        lanes: u32,
         lit: &mut Lit,
     ) {
         (lit.mask, lit.of_delta) = (0, 0);
@@ -238,7 +238,6 @@ impl<'a> LaneLights<'a> {
             instructions.run(SampleRectangles {
                 rectangles: &choices.rectangles,
                 vertices,
-                transmits,
                 streams,
                 first: first + 1,
                 lanes: rectangles,
@@ -260,7 +259,7 @@ impl<'a> LaneLights<'a> {
 
     /// Chooses emitters, and draws directions towards those that are neither rectangles nor the
     /// environment map; one bit for each that is one, and for each that is the other. Their inverse
-    /// densities lack the solid angle, or the density of directions, which are not known yet.
+    /// densities lack the density of directions, which is not known yet.
     fn choose_and_draw(
         &self,
         instructions: Instructions,

@@ -60,8 +60,6 @@ impl Rectangles {
 pub struct SampleRectangles<'a> {
     pub rectangles: &'a Rectangles,
     pub vertices: &'a Vertices,
-    /// One bit for each surface that transmits light.
-    pub transmits: u32,
     pub streams: &'a Streams<LANES>,
     /// The first of two random numbers.
     pub first: u32,
@@ -77,7 +75,6 @@ impl Computation for SampleRectangles<'_> {
         let Self {
             rectangles,
             vertices,
-            transmits,
             streams,
             first,
             lanes,
@@ -90,7 +87,7 @@ impl Computation for SampleRectangles<'_> {
         ];
         // Most are far away.
         let mut points = Points::NONE;
-        let far = draw_from_afar(rectangles, vertices, transmits, &u, &mut points);
+        let far = draw_from_afar(rectangles, vertices, &u, &mut points);
         let behind = points.behind();
         points.put(lanes & far & !behind, lit);
         let near = lanes & !far & !behind;
@@ -169,20 +166,14 @@ fn put(points: &Points, lanes: u32, lit: &mut Lit) {
 fn draw_from_afar(
     rectangles: &Rectangles,
     vertices: &Vertices,
-    transmits: u32,
     u: &[Numbers; 2],
     points: &mut Points,
 ) -> u32 {
     let mut is_far = [0.0; LANES];
     for lane in 0..LANES {
         let rectangle = rectangles.get(lane);
-        let side = if transmits >> lane & 1 == 1 {
-            0.0
-        } else {
-            vertices.side[lane]
-        };
-        let facing = vertices.outward.get(lane) * side;
-        let (seen, far) = rectangle.seen_from_afar(vertices.position.get(lane), facing);
+        let (position, n) = (vertices.position.get(lane), vertices.normal(lane));
+        let (seen, far) = rectangle.seen_from_afar(position, n);
         let point = seen.sample([u[0][lane], u[1][lane]]);
         let offset = rectangle.offset_to(seen.place(point), seen.rise);
         let distance = offset.length();

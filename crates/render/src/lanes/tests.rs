@@ -117,7 +117,7 @@ fn compare(prepared: &PreparedScene, samples: u32) -> Compared {
         let pixel = i * 29 % (width * height);
         SamplePlace {
             pixel: [pixel % width, pixel / width],
-            stream: sampler.stream(u64::from(pixel), i % 64),
+            stream: sampler.stream(u64::from(pixel), i / (width * height)),
         }
     };
     let places: Vec<SamplePlace> = (0..samples).map(place).collect();
