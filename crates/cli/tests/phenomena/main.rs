@@ -206,10 +206,10 @@ fn the_command_agrees() {
         let mut checks = checks.iter();
         assert!(checks.any(|check| check.parameter == parameter), "{name}");
         let file = folder.scene_file();
-        let done = capwalk(&["check", &file, "-p", parameter, "--step", "0.01", "--json"]);
+        let done = capwalk(&["check", &file, "-p", parameter, "--step", "0.003", "--json"]);
         assert_eq!(done.status, 0, "{name}: {}{}", done.output, done.errors);
         assert!(
-            done.output.contains("\"step\": 0.01"),
+            done.output.contains("\"step\": 0.003"),
             "{name}: {}",
             done.output
         );

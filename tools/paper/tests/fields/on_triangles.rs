@@ -81,7 +81,7 @@ fn everything_moves_under_one_triangle() {
 #[test]
 fn silhouettes_cross_borders() {
     let case = Case {
-        gradient_spp: 5000,
+        gradient_spp: 10_000,
         reference_spp: 5000,
         patience: 20.0,
         ..few_pixels()
