@@ -183,6 +183,16 @@ impl<const N: usize> Streams<N> {
             }
         }
     }
+
+    /// [`Self::numbers`] of a dimension and of the next.
+    #[inline(always)]
+    pub fn pairs(&self, dimension: u32, asked: u32) -> [[f64; N]; 2] {
+        // One after the other: a call of `map` would not be compiled for the same instructions.
+        [
+            self.numbers(dimension, asked),
+            self.numbers(dimension + 1, asked),
+        ]
+    }
 }
 
 /// A coordinate of a Sobol point, given by its index and scramble.

@@ -1,8 +1,9 @@
 //! A rectangle from far away: points on it are drawn by a density that follows, to first order, what a surface
 //! receives from them. It is a product of linear functions of the places along both sides, so that a point takes two
 //! square roots, a third of the time of one that is uniform by solid angle ([`SphericalRectangle`]), and what
-//! it weighs differs less from point to point, since the cosine at the surface is in it. (Of second order is the rest:
-//! a tenth where a rectangle just far enough is seen from its front, and more where it is seen edge-on.)
+//! it weighs differs less from point to point, since the cosine at the surface is in it. (The rest is of second order:
+//! a standard deviation of less than a tenth where a square that is just far enough faces the surface, and more where
+//! it is seen edge-on.)
 //!
 //! [`SphericalRectangle`]: capwalk_math::spherical_rectangle::SphericalRectangle
 

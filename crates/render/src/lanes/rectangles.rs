@@ -80,11 +80,7 @@ impl Computation for SampleRectangles<'_> {
             lanes,
             lit,
         } = self;
-        // One after the other: a call of `map` would not be compiled for the same instructions.
-        let u = [
-            streams.numbers(first, lanes),
-            streams.numbers(first + 1, lanes),
-        ];
+        let u = streams.pairs(first, lanes);
         // Most are far away.
         let mut points = Points::NONE;
         let far = draw_from_afar(rectangles, vertices, &u, &mut points);
@@ -102,9 +98,8 @@ impl Computation for SampleRectangles<'_> {
 struct Points {
     direction: Vectors,
     distance: Numbers,
-    inverse_density: Numbers,
     /// Positive where the front is seen.
-    front: Numbers,
+    inverse_density: Numbers,
 }
 
 impl Points {
@@ -113,7 +108,6 @@ impl Points {
         direction: Vectors::ZERO,
         distance: [0.0; LANES],
         inverse_density: [0.0; LANES],
-        front: [0.0; LANES],
     };
 
     /// One bit for each of which the front is not seen. What is not a number is not dark: the pixel
@@ -121,8 +115,8 @@ impl Points {
     #[inline(always)]
     fn behind(&self) -> u32 {
         let mut behind = 0;
-        for (lane, &front) in self.front.iter().enumerate() {
-            behind |= u32::from(front <= 0.0) << lane;
+        for (lane, &inverse) in self.inverse_density.iter().enumerate() {
+            behind |= u32::from(inverse <= 0.0) << lane;
         }
         behind
     }
@@ -179,7 +173,6 @@ fn draw_from_afar(
         let distance = offset.length();
         points.set(lane, offset, distance);
         points.inverse_density[lane] = seen.inverse_density(point, distance);
-        points.front[lane] = seen.rise;
         is_far[lane] = if far { 1.0 } else { 0.0 };
     }
     let mut far = 0;
@@ -204,6 +197,5 @@ fn draw_from_near_by(
         let offset = rectangle.offset_to(place, seen.z);
         points.set(lane, offset, offset.length());
         points.inverse_density[lane] = seen.solid_angle;
-        points.front[lane] = seen.solid_angle;
     }
 }

@@ -54,11 +54,7 @@ impl Computation for DrawSky<'_> {
             lanes,
             lit,
         } = self;
-        // One after the other: a call of `map` would not be compiled for the same instructions.
-        let u = [
-            streams.numbers(first, lanes),
-            streams.numbers(first + 1, lanes),
-        ];
+        let u = streams.pairs(first, lanes);
         let mut cells = [ChosenCell::default(); LANES];
         let mut uniform = 0;
         for lane in lanes_of(lanes) {
