@@ -4,11 +4,12 @@
 
 use std::sync::OnceLock;
 
-use capwalk_boundary::{Counts, Draw, Refusal, Stream};
-use capwalk_math::{Rgb, Vec3};
-use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts};
+use capwalk_boundary::Refusal;
+use capwalk_math::Vec3;
+use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
 use capwalk_render::{
-    Estimate, Part, Partial, Plan, PreparedScene, Primal, RenderOptions, Tracer, Watch, adaptive,
+    Estimate, Part, Partial, Plan, Precision, PreparedScene, RenderOptions, Watch, adaptive,
+    take_light,
 };
 use capwalk_scene::{Scene, Tangent};
 
@@ -228,33 +229,39 @@ impl<'a> Differences<'a> {
         counts: &SampleCounts,
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
+        // In double precision: what single precision does not resolve would move between the two sides.
         let plan = Plan::new(self.scene).for_differences();
-        let tracer = |scene| Tracer::primal(scene).with_plan(plan);
-        let tracers: Vec<_> = self.scenes.iter().map(tracer).collect();
-        // Each sample by itself, in double precision: what packets do not resolve would move between
-        // the two sides.
-        let sample = |pixel: [u32; 2], stream: &Stream| {
-            let draw = Draw {
-                stream,
-                counts: &Counts::default(),
-            };
-            let (mut value, mut difference) = (Rgb::zero(), Rgb::zero());
-            for (tracer, place) in tracers.iter().zip(&self.places) {
-                let light: Rgb = tracer.pixel(&Primal(tracer.accel), pixel, draw);
-                value += light * place.value;
-                difference += light * place.difference;
-            }
-            let [[a, b, c], [d, e, f]] = [value, difference / self.step].map(|rgb| rgb.to_array());
-            Sample {
-                numbers: [a, b, c, d, e, f],
-                ..Sample::default()
+        let lights = (self.scenes.iter()).map(|scene| take_light(plan, scene, Precision::Double));
+        let lights: Vec<_> = lights.collect();
+        let take = |places: &[SamplePlace], taken: &mut Vec<Sample<NUMBERS>>| {
+            let first = taken.len();
+            taken.resize(first + places.len(), Sample::default());
+            let sums = &mut taken[first..];
+            let mut light = Vec::with_capacity(places.len());
+            for (take_light, place) in lights.iter().zip(&self.places) {
+                light.clear();
+                take_light(places, &mut light);
+                for (sum, light) in sums.iter_mut().zip(&light) {
+                    self.add(light, place, sum);
+                }
             }
         };
         let part = Part::whole(tiles::grid(self.scene, options));
-        let take = tiles::one_by_one(sample);
         tiles::average(self.scene, options, counts, None, &part, watch, take)
     }
+
+    /// Adds what is seen at a place to a sample of the light and its derivative.
+    fn add(&self, light: &Sample<3>, place: &Place, sum: &mut Sample<NUMBERS>) {
+        for (i, light) in light.numbers.into_iter().enumerate() {
+            sum.numbers[i] += light * place.value;
+            sum.numbers[DERIVATIVE + i] += light * (place.difference / self.step);
+        }
+        sum.effort += light.effort;
+    }
 }
+
+/// The numbers of a sample: the light, and its derivative.
+const NUMBERS: usize = 2 * DERIVATIVE;
 
 /// Which of a sample's numbers is the first of the derivative.
 const DERIVATIVE: usize = 3;

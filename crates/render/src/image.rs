@@ -3,18 +3,20 @@
 use std::sync::OnceLock;
 
 use capwalk_boundary::{Counts, Draw};
+use capwalk_math::Rgb;
 use capwalk_scene::fingerprint;
 
 use crate::adaptive;
 use crate::estimate::Rendering;
 use crate::grid::{Grid, Part};
-use crate::lanes::LaneTracer;
+use crate::lanes::{LaneTracer, Precision};
 use crate::options::{RenderOptions, Watch};
 use crate::part_error::PartError;
 use crate::partial::Partial;
+use crate::plan::Plan;
 use crate::prepared::PreparedScene;
 use crate::scene_eval::Primal;
-use crate::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
+use crate::tiles::{self, Averages, PixelSums, Sample, SampleCounts, TakeSamples};
 use crate::tracer::Tracer;
 
 /// The image of a scene, with its standard error.
@@ -22,6 +24,29 @@ pub fn render(prepared: &PreparedScene, options: &RenderOptions, watch: &dyn Wat
     let work = RenderWork::new(prepared, *options);
     let partial = work.sums(None, &Part::whole(work.grid()), watch);
     work.rendering(partial.into_sums())
+}
+
+/// What appends the samples of some places of an image: many at a time if that is of light, else one by one.
+pub fn take_light<'a>(
+    plan: Plan,
+    prepared: &'a PreparedScene,
+    precision: Precision,
+) -> Box<TakeSamples<'a>> {
+    if let Some(lanes) = LaneTracer::of_light(plan, prepared, precision) {
+        return Box::new(move |places, taken| lanes.take(places, taken));
+    }
+    let tracer = Tracer::primal(prepared).with_plan(plan);
+    Box::new(tiles::one_by_one(move |pixel, stream| {
+        let draw = Draw {
+            stream,
+            counts: &Counts::default(),
+        };
+        let light: Rgb = tracer.pixel(&Primal(tracer.accel), pixel, draw);
+        Sample {
+            numbers: light.to_array(),
+            ..Sample::default()
+        }
+    }))
 }
 
 /// An image that is rendered in parts.
@@ -84,23 +109,8 @@ impl<'a> RenderWork<'a> {
         part: &Part,
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
-        let (prepared, scene) = (self.prepared, self.prepared.scene());
-        let tracer = Tracer::primal(prepared);
-        if let Some(lanes) = LaneTracer::like(&tracer, prepared) {
-            let take = |places: &[SamplePlace], taken: &mut Vec<_>| lanes.take(places, taken);
-            return tiles::average(scene, options, counts, work, part, watch, take);
-        }
-        let eval = Primal(prepared.accel());
-        let take = tiles::one_by_one(|pixel, stream| {
-            let draw = Draw {
-                stream,
-                counts: &Counts::default(),
-            };
-            Sample {
-                numbers: tracer.pixel(&eval, pixel, draw).to_array(),
-                ..Sample::default()
-            }
-        });
+        let scene = self.prepared.scene();
+        let take = take_light(Plan::new(scene), self.prepared, Precision::Resolving);
         tiles::average(scene, options, counts, work, part, watch, take)
     }
 

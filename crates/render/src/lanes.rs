@@ -1,15 +1,15 @@
 //! Sixteen samples of a primal image at a time.
 //!
-//! What is sampled, with which random numbers and weights, is what [`Tracer`] samples; a test
+//! What is sampled, with which random numbers and weights, is what [`Tracer`](crate::Tracer) samples; a test
 //! compares them one by one. Paths advance together, stage by stage: rays,
 //! surfaces, directions towards emitters, directions drawn from the surfaces. Rectangles, point
 //! emitters, environment maps, diffuse surfaces, rough metal and rough plastic are evaluated in loops over
 //! the lanes without a branch, of which the compiler makes vectors; other emitters and lobes one by one,
-//! by the functions that [`Tracer`] calls.
+//! by the functions that the tracer calls.
 //!
 //! In scenes of few faces and spheres rays come in packets, whose arithmetic is in single precision
 //! ([`capwalk_geometry::PacketTree`]): a ray that passes an edge within a millionth of the scene may
-//! find another face than it does in [`Tracer`]. Scenes in which that could be seen have bundles of rays
+//! find another face than it does there. Scenes in which that could be seen have bundles of rays
 //! ([`capwalk_geometry::Bundle`]), which find the same: those with thin faces, surfaces close to each
 //! other, or something so near in view that it is more than two thousandths of a pixel.
 
@@ -47,13 +47,13 @@ use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS, LightSampling, Plan};
 use crate::prepared::PreparedScene;
 use crate::radiance::{RR_MAX, RR_MIN};
 use crate::tiles::{Sample, SamplePlace};
-use crate::tracer::Tracer;
 use alike::{Alike, FindAlike};
 pub use gradient::Differentiator;
 use kept::{Step, Steps};
 use lights::{LaneChoices, LaneLights};
 use lit::{Lit, SeenEmitter, SkyPoint};
 use lobes::LaneLobes;
+pub use rays::Precision;
 use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING, asked_slots};
 use step::{Brdf, Vertices};
@@ -143,11 +143,10 @@ impl Paths<'_> {
 }
 
 impl<'a> LaneTracer<'a> {
-    /// A tracer that takes the samples of another one; `None` if those are of something else than
-    /// light.
-    pub fn like(tracer: &Tracer<'a>, prepared: &'a PreparedScene) -> Option<Self> {
-        let is_plain = tracer.plan.aov.is_none() && tracer.moving.is_none();
-        is_plain.then(|| Self::new(tracer.plan, prepared, &|_| false))
+    /// A tracer of the light that a plan asks for; `None` if that is something else.
+    pub fn of_light(plan: Plan, prepared: &'a PreparedScene, precision: Precision) -> Option<Self> {
+        let is_light = plan.aov.is_none();
+        is_light.then(|| Self::new(plan, prepared, &|_| false, precision))
     }
 
     /// A tracer that also differentiates light with respect to some textures; `None` if that moves
@@ -172,7 +171,7 @@ impl<'a> LaneTracer<'a> {
             && !scene.shapes.iter().any(|shape| moves_rays(shape));
         is_plain.then(|| Self {
             least_survival: RR_MIN,
-            ..Self::new(plan, prepared, is_asked_for)
+            ..Self::new(plan, prepared, is_asked_for, Precision::Resolving)
         })
     }
 
@@ -180,6 +179,7 @@ impl<'a> LaneTracer<'a> {
         plan: Plan,
         prepared: &'a PreparedScene,
         is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
+        precision: Precision,
     ) -> Self {
         let accel = prepared.accel();
         Self {
@@ -189,7 +189,7 @@ impl<'a> LaneTracer<'a> {
             least_survival: 0.0,
             scene: LaneScene::new(accel, is_asked_for),
             lights: LaneLights::new(prepared, plan.sampling, is_asked_for),
-            meets: Meets::new(accel),
+            meets: Meets::new(accel, precision),
             instructions: Instructions::detect(),
         }
     }

@@ -47,6 +47,9 @@ pub struct SamplePlace {
     pub stream: Stream,
 }
 
+/// Appends the samples of some places of an image of light.
+pub type TakeSamples<'a> = dyn Fn(&[SamplePlace], &mut Vec<Sample<3>>) + Sync + 'a;
+
 /// Takes samples one after the other, and counts their effort.
 pub fn one_by_one<const C: usize>(
     sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,

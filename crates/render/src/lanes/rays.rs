@@ -25,6 +25,15 @@ const LEVELS_PER_EFFORT: u64 = 3;
 /// The effort of a ray of a bundle, for each level.
 const EFFORT_OF_LEVEL: u64 = 2;
 
+/// In which precision rays meet surfaces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Precision {
+    /// Single where that resolves the scene, else double.
+    Resolving,
+    /// Double everywhere.
+    Double,
+}
+
 /// What rays meet.
 pub struct Meets<'a> {
     accel: &'a Accel,
@@ -48,8 +57,11 @@ pub struct LaneRays<'a> {
 
 impl<'a> Meets<'a> {
     /// All surfaces of a scene.
-    pub fn new(accel: &'a Accel) -> Self {
-        let packets = packets(accel);
+    pub fn new(accel: &'a Accel, precision: Precision) -> Self {
+        let packets = match precision {
+            Precision::Resolving => packets(accel),
+            Precision::Double => None,
+        };
         let pieces = match packets {
             Some(_) => accel.rays().piece_count(),
             None => accel.mesh.faces.len(),

@@ -23,6 +23,7 @@ use capwalk_scene_io::load_scene;
 
 use super::*;
 use crate::scene_eval::Primal;
+use crate::tracer::Tracer;
 
 fn direct(hide_emitters: bool) -> Integrator {
     Integrator::Direct {
@@ -88,7 +89,7 @@ fn painted(mut scene: Scene) -> Scene {
 fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
     let Compared {
         differ, lit, means, ..
-    } = compare(&PreparedScene::new(scene), 20_005);
+    } = compare(&PreparedScene::new(scene), 20_005, Precision::Resolving);
     assert!(lit > 5000, "{what}: {lit}");
     assert!(differ < 8, "{what}: {differ} differ");
     assert!(
@@ -108,9 +109,9 @@ struct Compared {
     example: Option<([u32; 2], [Rgb; 2])>,
 }
 
-fn compare(prepared: &PreparedScene, samples: u32) -> Compared {
+fn compare(prepared: &PreparedScene, samples: u32, precision: Precision) -> Compared {
     let (scene, tracer) = (prepared.scene(), Tracer::primal(prepared));
-    let lanes = LaneTracer::like(&tracer, prepared).expect("an image of light");
+    let lanes = LaneTracer::of_light(tracer.plan, prepared, precision).expect("an image of light");
     let sampler = Sampler::new(&scene.settings, 3, 64);
     let [width, height] = scene.film.crop_size;
     let place = |i: u32| {
@@ -177,9 +178,9 @@ fn lanes_sample_all_scenes() {
         if matches!(prepared.scene().settings.integrator, Integrator::Aov(_)) {
             continue;
         }
-        let has_packets = rays::Meets::new(prepared.accel()).has_packets();
+        let has_packets = rays::Meets::new(prepared.accel(), Precision::Resolving).has_packets();
         with_packets += u32::from(has_packets);
-        let compared = compare(&prepared, 403);
+        let compared = compare(&prepared, 403, Precision::Resolving);
         let allowed = if has_packets { 2 } else { 0 };
         if compared.differ > allowed {
             let name = file.strip_prefix(&tests).unwrap_or(file).display();
@@ -210,6 +211,21 @@ fn lanes_sample_what_the_tracer_does() {
     ] {
         samples_are_those_of_the_tracer(name, scene(name, integrator));
     }
+}
+
+/// What finite differences are made of: where an image has packets, too, rays are in double precision if
+/// that is asked for.
+#[test]
+fn lanes_in_double_precision_sample_the_same() {
+    let prepared = PreparedScene::new(scene("box-room", path(Some(3))));
+    let plan = Plan::new(prepared.scene());
+    let has_packets = [Precision::Resolving, Precision::Double].map(|precision| {
+        let lanes = LaneTracer::of_light(plan, &prepared, precision);
+        lanes.expect("an image of light").has_packets()
+    });
+    assert_eq!(has_packets, [true, false]);
+    let compared = compare(&prepared, 5_000, Precision::Double);
+    assert_eq!(compared.differ, 0, "{:?}", compared.example);
 }
 
 /// Two balls with normals at vertices, in the room: one of few triangles, and a sphere, whose shape has a
@@ -525,7 +541,8 @@ fn samples_do_not_depend_on_each_other() {
 fn samples_are_the_same_in_other_packets(scene: Scene) {
     let prepared = PreparedScene::new(scene);
     let tracer = Tracer::primal(&prepared);
-    let lanes = LaneTracer::like(&tracer, &prepared).expect("for lanes");
+    let lanes =
+        LaneTracer::of_light(tracer.plan, &prepared, Precision::Resolving).expect("for lanes");
     let sampler = Sampler::new(&prepared.scene().settings, 5, 64);
     let place = |i: u32| SamplePlace {
         pixel: [i % 24, i / 24 % 18],
@@ -545,7 +562,7 @@ fn samples_are_the_same_in_other_packets(scene: Scene) {
 fn other_scenes_have_single_rays() {
     let has_packets = |scene: Scene| {
         let prepared = PreparedScene::new(scene);
-        rays::Meets::new(prepared.accel()).has_packets()
+        rays::Meets::new(prepared.accel(), Precision::Resolving).has_packets()
     };
     let room = || scene("box-room", path(None));
     assert!(has_packets(room()));
