@@ -26,14 +26,17 @@ impl Moments {
 
     /// Adds everything another stream has seen.
     pub fn merge(&mut self, other: &Self) {
-        if other.count == 0 {
-            return;
+        match (self.count, other.count) {
+            (_, 0) => return,
+            (0, _) => return *self = *other,
+            _ => self.count += other.count,
         }
-        let (a, b) = (self.count as f64, other.count as f64);
+        let share = other.count as f64 / self.count as f64;
         let shift = other.mean - self.mean;
-        self.count += other.count;
-        self.mean += shift * b / (a + b);
-        self.sum_of_squares += other.sum_of_squares + shift * shift * a * b / (a + b);
+        self.mean += shift * share;
+        // Each of those before is off by the share of the shift, each other one by the rest of it.
+        let before = (self.count - other.count) as f64;
+        self.sum_of_squares += other.sum_of_squares + shift * shift * (before * share);
     }
 
     /// The moments of so many numbers, from the sums of their differences from one of them and of those

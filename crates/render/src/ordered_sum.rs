@@ -50,20 +50,30 @@ impl<T> Default for OrderedSum<T> {
 impl<T: Accumulate> OrderedSum<T> {
     /// Takes a term in; false, and without it, if it was there already.
     pub fn insert(&mut self, number: u32, term: T) -> bool {
+        self.insert_and_spare(number, term, &mut Vec::new())
+    }
+
+    /// [`Self::insert`], which leaves the memory of what was added to others.
+    pub fn insert_and_spare(&mut self, number: u32, term: T, spare: &mut Vec<T>) -> bool {
         let node = Node {
             count: 1,
             sum: term,
         };
-        self.insert_node(number, node).is_ok()
+        self.insert_node(number, node, spare).is_ok()
     }
 
     /// Takes all terms of another sum in.
     pub fn merge(&mut self, other: Self) -> Result<(), CannotMerge> {
         let mut nodes = other.nodes.into_iter();
-        nodes.try_for_each(|(first, node)| self.insert_node(first, node))
+        nodes.try_for_each(|(first, node)| self.insert_node(first, node, &mut Vec::new()))
     }
 
-    fn insert_node(&mut self, first: u32, node: Node<T>) -> Result<(), CannotMerge> {
+    fn insert_node(
+        &mut self,
+        first: u32,
+        node: Node<T>,
+        spare: &mut Vec<T>,
+    ) -> Result<(), CannotMerge> {
         // The last node that starts before this one ends tells whether they overlap.
         let last = u64::from(first) + u64::from(node.count);
         let before = self.nodes.range(..=(last - 1) as u32).next_back();
@@ -92,6 +102,7 @@ impl<T: Accumulate> OrderedSum<T> {
                 false => (node, other),
             };
             left.sum.add(&right.sum);
+            spare.push(right.sum);
             left.count *= 2;
             (first, node) = (first.min(sibling), left);
         }

@@ -67,7 +67,7 @@ pub fn one_by_one<const C: usize>(
 }
 
 /// Running averages of the pixels of a band, row by row.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct PixelSums {
     /// As many per pixel as a sample has numbers.
     moments: Vec<Moments>,
@@ -91,15 +91,20 @@ struct Tally {
 impl PixelSums {
     /// Nothing taken yet, of so many samples that are wanted of each pixel.
     pub(crate) fn new(wanted: impl Iterator<Item = u32>, channels: usize) -> Self {
-        let tally = |wanted| Tally {
+        Self::default().restarted(wanted, channels)
+    }
+
+    /// The same in memory that was another's.
+    fn restarted(mut self, wanted: impl Iterator<Item = u32>, channels: usize) -> Self {
+        self.tallies.clear();
+        self.tallies.extend(wanted.map(|wanted| Tally {
             wanted,
             ..Tally::default()
-        };
-        let tallies: Vec<Tally> = wanted.map(tally).collect();
-        Self {
-            moments: vec![Moments::default(); tallies.len() * channels],
-            tallies,
-        }
+        }));
+        self.moments.clear();
+        let numbers = self.tallies.len() * channels;
+        self.moments.resize(numbers, Moments::default());
+        self
     }
 
     /// Adds a sample of a pixel, the next one, that depends on no other.
@@ -177,18 +182,27 @@ impl Accumulate for PixelSums {
     }
 
     fn add(&mut self, next: &Self) {
-        for (own, other) in self.moments.iter_mut().zip(&next.moments) {
-            own.merge(other);
-        }
-        for (own, other) in self.tallies.iter_mut().zip(&next.tallies) {
-            own.wanted += other.wanted;
-            own.samples += other.samples;
-            own.non_finite += other.non_finite;
-            own.cone_queries += other.cone_queries;
-            own.effort += other.effort;
-        }
+        let moments = self.moments.par_iter_mut().zip(&next.moments);
+        let tallies = self.tallies.par_iter_mut().zip(&next.tallies);
+        pool::install(|| {
+            (moments.with_min_len(MANY)).for_each(|(own, other)| own.merge(other));
+            (tallies.with_min_len(MANY)).for_each(|(own, other)| own.add(other));
+        });
     }
 }
+
+impl Tally {
+    fn add(&mut self, other: &Self) {
+        self.wanted += other.wanted;
+        self.samples += other.samples;
+        self.non_finite += other.non_finite;
+        self.cone_queries += other.cone_queries;
+        self.effort += other.effort;
+    }
+}
+
+/// So many sums are worth a thread's attention.
+const MANY: usize = 4096;
 
 /// The largest number of a sample that counts as finite: images are kept in single
 /// precision, and the sums of squares of larger ones overflow.
@@ -197,10 +211,12 @@ const LARGEST_NUMBER: f64 = f32::MAX as f64;
 /// Effort of a sample besides its queries: shading, sampling and their derivatives.
 pub const EFFORT_OF_SAMPLE: u64 = 100;
 
-/// Pixels that a worker takes at a time.
-const CHUNK: usize = 16;
 /// Samples that are taken together: so many that what is set up for them costs little.
 const TOGETHER: usize = 256;
+/// A worker takes at least so many pixels at a time, more where each has few samples in a pass.
+const LEAST_CHUNK: usize = 16;
+/// But a band is shared out to at least so many workers.
+const LEAST_CHUNKS: usize = 8;
 /// The work is done in at least this many passes over the image, so that it
 /// can be stopped with all pixels nearly equally far.
 const PASSES: u32 = 32;
@@ -358,25 +374,31 @@ pub fn average<const C: usize>(
             watch.progress(before + work, total);
         };
 
+    let most_chunk = TOGETHER / per_pass.max(1) as usize;
     let mut sums = vec![OrderedSum::default(); grid.bands as usize];
+    // Memory that is used again: new memory would take a third of the time of a few samples.
+    let mut spare: Vec<PixelSums> = Vec::new();
     pool::install(|| {
         for batch in 0..grid.batches {
-            let empty = |band: u32| {
+            let mut empty = |band: u32| {
                 let wanted = pixels_of(band).map(|pixel| samples_of(batch, pixel).len() as u32);
-                (band, PixelSums::new(wanted, C))
+                let memory = spare.pop().unwrap_or_default();
+                (band, memory.restarted(wanted, C))
             };
-            let mut bands: Vec<(u32, PixelSums)> =
-                part.bands_of(batch).into_iter().map(empty).collect();
+            let bands = part.bands_of(batch).into_iter();
+            let mut bands: Vec<(u32, PixelSums)> = bands.map(&mut empty).collect();
             for pass in 0..passes {
                 if watch.should_stop() {
                     break;
                 }
                 bands.par_iter_mut().for_each(|(band, sums)| {
                     let first = pixels_of(*band).start;
-                    let moments = sums.moments.par_chunks_mut(C * CHUNK);
-                    let chunks = moments.zip(sums.tallies.par_chunks_mut(CHUNK));
+                    let share = sums.tallies.len() / LEAST_CHUNKS;
+                    let size = most_chunk.min(share).max(LEAST_CHUNK);
+                    let moments = sums.moments.par_chunks_mut(C * size);
+                    let chunks = moments.zip(sums.tallies.par_chunks_mut(size));
                     chunks.enumerate().for_each(|(chunk, (moments, tallies))| {
-                        let first = first + (chunk * CHUNK) as u32;
+                        let first = first + (chunk * size) as u32;
                         take(first, [batch, pass], moments, tallies);
                     });
                 });
@@ -385,7 +407,7 @@ pub fn average<const C: usize>(
                 let mut tallies = term.tallies.iter();
                 let is_finished = tallies.all(|pixel| pixel.samples == pixel.wanted);
                 if work.is_none() || is_finished {
-                    sums[band as usize].insert(batch, term);
+                    sums[band as usize].insert_and_spare(batch, term, &mut spare);
                 }
             }
         }
