@@ -72,7 +72,7 @@ pub use mirror_image::{DrawnImage, MirrorImage, moving_apex, moving_image};
 pub use mirror_planes::MirrorPlanes;
 pub use motion::Motion;
 pub use passing::Leaving;
-pub use random::{GOLDEN, MIXERS, Sampler, Stream, Streams};
+pub use random::{GOLDEN, MIXERS, PixelStreams, Sampler, Stream, Streams};
 pub use reflected::SAME_MIRROR;
 pub use refusal::Refusal;
 pub use silhouette_pieces::{EdgePoint, PARALLEL, SilhouettePieces, clip, place};

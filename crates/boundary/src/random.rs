@@ -3,6 +3,8 @@
 //! before. So images do not depend on scheduling, and two scenes rendered
 //! with the same seed share their numbers (finite differences rely on it).
 
+use std::ops::Range;
+
 use capwalk_scene::{SamplerKind, Settings};
 
 /// How the samples of a pixel are drawn.
@@ -53,27 +55,42 @@ impl Sampler {
     /// The numbers of one sample of one pixel.
     #[inline]
     pub fn stream(&self, pixel: u64, sample: u32) -> Stream {
-        self.in_pixel(pixel)(sample)
+        self.in_pixel(pixel).stream(sample)
     }
 
     /// Those of the samples of a pixel.
     #[inline]
-    pub fn in_pixel(&self, pixel: u64) -> impl Fn(u32) -> Stream {
-        let pixel_key = mix(self.seed ^ mix(pixel.wrapping_add(GOLDEN)));
-        move |sample| self.of_key(pixel_key, sample)
+    pub fn in_pixel(&self, pixel: u64) -> PixelStreams {
+        PixelStreams {
+            sampler: *self,
+            key: mix(self.seed ^ mix(pixel.wrapping_add(GOLDEN))),
+        }
     }
+}
 
+/// The random numbers of all samples of one pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct PixelStreams {
+    sampler: Sampler,
+    key: u64,
+}
+
+impl PixelStreams {
+    /// Those of a sample.
     #[inline]
-    fn of_key(&self, pixel_key: u64, sample: u32) -> Stream {
-        let hashed = mix(pixel_key ^ u64::from(sample).wrapping_mul(GOLDEN));
-        let sobol = match self.kind {
+    pub fn stream(&self, sample: u32) -> Stream {
+        let Sampler { kind, group, .. } = self.sampler;
+        let sobol = match kind {
             SamplerKind::Independent => None,
             SamplerKind::Sobol => {
-                let batch_key = mix(pixel_key ^ u64::from(sample / self.group) ^ (1 << 63));
-                Some((sample % self.group, batch_key as u32))
+                let batch_key = mix(self.key ^ u64::from(sample / group) ^ (1 << 63));
+                Some((sample % group, batch_key as u32))
             }
         };
-        Stream { key: hashed, sobol }
+        Stream {
+            key: mix(self.key ^ u64::from(sample).wrapping_mul(GOLDEN)),
+            sobol,
+        }
     }
 }
 
@@ -143,13 +160,16 @@ impl<const N: usize> Streams<N> {
         }
     }
 
-    /// Sets those of a sample.
+    /// Sets some of them to those of consecutive samples of a pixel, from the first on.
     #[inline]
-    pub fn set(&mut self, sample: usize, stream: Stream) {
-        self.keys[sample] = stream.key;
-        debug_assert_eq!(self.sobol.is_some(), stream.sobol.is_some());
-        if let (Some(points), Some(point)) = (&mut self.sobol, stream.sobol) {
-            points[sample] = point;
+    pub fn set(&mut self, some: Range<usize>, pixel: &PixelStreams, first: u32) {
+        for (i, sample) in some.zip(first..) {
+            let stream = pixel.stream(sample);
+            self.keys[i] = stream.key;
+            debug_assert_eq!(self.sobol.is_some(), stream.sobol.is_some());
+            if let (Some(points), Some(point)) = (&mut self.sobol, stream.sobol) {
+                points[i] = point;
+            }
         }
     }
 
@@ -290,9 +310,10 @@ mod tests {
             let all: [Stream; 8] =
                 std::array::from_fn(|i| sampler.stream(7 + i as u64 / 3, i as u32));
             let mut streams = Streams::<8>::splat(all[0]);
-            (0..)
-                .zip(all)
-                .for_each(|(i, stream)| streams.set(i, stream));
+            for (pixel, some) in [(7, 0..3), (8, 3..6), (9, 6..8)] {
+                let first = some.start as u32;
+                streams.set(some, &sampler.in_pixel(pixel), first);
+            }
             for dimension in [0, 1, 17, SOBOL_DIMENSIONS - 1, SOBOL_DIMENSIONS, 1 << 20] {
                 let expected = all.map(|stream| stream.number(dimension));
                 assert_eq!(streams.numbers(dimension, 255), expected, "{kind:?}");

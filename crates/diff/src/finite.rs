@@ -6,9 +6,11 @@ use std::sync::OnceLock;
 
 use capwalk_boundary::Refusal;
 use capwalk_math::Vec3;
-use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
+use capwalk_render::tiles::{
+    self, Averages, PixelSums, Sample, SampleCounts, SampleRun, count_samples,
+};
 use capwalk_render::{
-    Estimate, Part, Partial, Plan, Precision, PreparedScene, RenderOptions, Watch, adaptive,
+    Estimate, Part, Partial, Plan, PreparedScene, RayPrecision, RenderOptions, Watch, adaptive,
     take_light,
 };
 use capwalk_scene::{Scene, Tangent};
@@ -231,16 +233,17 @@ impl<'a> Differences<'a> {
     ) -> Partial<PixelSums> {
         // In double precision: what single precision does not resolve would move between the two sides.
         let plan = Plan::new(self.scene).for_differences();
-        let lights = (self.scenes.iter()).map(|scene| take_light(plan, scene, Precision::Double));
+        let lights =
+            (self.scenes.iter()).map(|scene| take_light(plan, scene, RayPrecision::Double));
         let lights: Vec<_> = lights.collect();
-        let take = |places: &[SamplePlace], taken: &mut Vec<Sample<NUMBERS>>| {
-            let first = taken.len();
-            taken.resize(first + places.len(), Sample::default());
+        let take = |runs: &[SampleRun], taken: &mut Vec<Sample<NUMBERS>>| {
+            let (first, count) = (taken.len(), count_samples(runs));
+            taken.resize(first + count, Sample::default());
             let sums = &mut taken[first..];
-            let mut light = Vec::with_capacity(places.len());
+            let mut light = Vec::with_capacity(count);
             for (take_light, place) in lights.iter().zip(&self.places) {
                 light.clear();
-                take_light(places, &mut light);
+                take_light(runs, &mut light);
                 for (sum, light) in sums.iter_mut().zip(&light) {
                     self.add(light, place, sum);
                 }

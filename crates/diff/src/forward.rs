@@ -9,7 +9,9 @@ use capwalk_boundary::refuse::{
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Stream};
 use capwalk_math::Rgb;
-use capwalk_render::tiles::{self, Averages, PixelSums, Sample, SampleCounts, SamplePlace};
+use capwalk_render::tiles::{
+    self, Averages, PixelSums, Sample, SampleCounts, SampleRun, count_samples,
+};
 use capwalk_render::{
     Differentiator, Grid, LaneTracer, MotionFacts, Part, PartError, Partial, PathAdjoint,
     PreparedScene, RenderOptions, SceneEval, Statistics, Tracer, Watch, adaptive,
@@ -187,8 +189,8 @@ impl<'a> GradientWork<'a> {
             false => LaneTracer::differentiating(prepared, &is_asked_for),
         };
         if let Some(lanes) = lanes {
-            let take = |places: &[SamplePlace], taken: &mut Vec<_>| {
-                take_together(&lanes, &tracer, &eval, places, taken);
+            let take = |runs: &[SampleRun], taken: &mut Vec<_>| {
+                take_together(&lanes, &tracer, &eval, runs, taken);
             };
             return tiles::average(scene, sampling, counts, work, part, watch, take);
         }
@@ -266,19 +268,20 @@ impl<'a> GradientWork<'a> {
 /// The effort of the derivative at one place of a path, about.
 const EFFORT_OF_ADJOINT: u64 = 8;
 
-/// Appends the samples of some places, in which nothing moves.
+/// Appends samples in which nothing moves.
 fn take_together(
     lanes: &LaneTracer<'_>,
     tracer: &Tracer<'_>,
     eval: &Forward<'_>,
-    places: &[SamplePlace],
+    runs: &[SampleRun],
     taken: &mut Vec<Sample<NUMBERS>>,
 ) {
-    let mut samples = Vec::with_capacity(places.len());
-    let mut derivatives = vec![Rgb::zero(); places.len()];
-    let covectors = vec![Rgb::splat(1.0); places.len()];
-    let mut efforts = vec![0; places.len()];
-    Differentiator::new(lanes).take(places, &covectors, &mut samples, |sample, on_path| {
+    let count = count_samples(runs);
+    let mut samples = Vec::with_capacity(count);
+    let mut derivatives = vec![Rgb::zero(); count];
+    let covectors = vec![Rgb::splat(1.0); count];
+    let mut efforts = vec![0; count];
+    Differentiator::new(lanes).take(runs, &covectors, &mut samples, |sample, on_path| {
         efforts[sample] += EFFORT_OF_ADJOINT;
         let velocity = |texture, index| eval.texel(texture, index).tangent(0);
         derivatives[sample] += match on_path {

@@ -12,7 +12,7 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Moments, Rgb, Tape, Vec3};
-use capwalk_render::tiles::{self, Sample, SamplePlace};
+use capwalk_render::tiles::{self, Sample, SampleRun};
 use capwalk_render::{
     Accumulate, Along, Differentiator, Grid, LaneTracer, MotionFacts, OrderedSum, Part, PartError,
     Partial, PathAdjoint, PreparedScene, Statistics, Tracer, Unwatched, Watch,
@@ -513,7 +513,7 @@ struct Memory {
     covectors: Vec<(Target, Vec3)>,
     /// Samples that are taken together: which, the covectors on their light, those on the scene, and
     /// the samples.
-    places: Vec<SamplePlace>,
+    runs: Vec<SampleRun>,
     on_light: Vec<Rgb>,
     on_scene: Vec<Vec<(Target, Vec3)>>,
     taken: Vec<Sample<3>>,
@@ -638,24 +638,25 @@ impl Pass<'_> {
         let Memory {
             tape,
             adjoints,
-            places,
+            runs,
             on_light,
             on_scene,
             taken,
             ..
         } = memory;
         let width = self.adjoint.width;
-        places.clear();
-        places.extend(pixels.clone().map(|pixel| SamplePlace {
+        runs.clear();
+        runs.extend(pixels.clone().map(|pixel| SampleRun {
             pixel: [(pixel % width) as u32, (pixel / width) as u32],
-            stream: self.sampler.stream(pixel as u64, number),
+            streams: self.sampler.in_pixel(pixel as u64),
+            numbers: number..number + 1,
         }));
         on_light.clear();
         on_light.extend_from_slice(&self.adjoint.pixels[pixels]);
         on_scene.resize(LOOK_UP, Vec::new());
         on_scene.iter_mut().for_each(Vec::clear);
         taken.clear();
-        together.take(places, on_light, taken, |sample, on_path| {
+        together.take(runs, on_light, taken, |sample, on_path| {
             self.pull_back(on_path, tape, adjoints, &mut on_scene[sample]);
         });
         for covectors in &*on_scene {

@@ -2,7 +2,8 @@
 
 use capwalk_boundary::pool;
 use capwalk_gpu::GpuError;
-use capwalk_render::tiles::{Averages, SamplePlace};
+use capwalk_render::SamplePlace;
+use capwalk_render::tiles::Averages;
 use capwalk_render::{
     CameraEdge, RenderOptions, SampleRange, TooManyImages, UsedDevice, Watch, average_on_device,
 };

@@ -6,7 +6,7 @@ use capwalk_diff::{Reverse, Target, Wanted};
 use capwalk_geometry::LocalFrame;
 use capwalk_math::tape::Adjoints;
 use capwalk_math::{Real, Rgb, Tape, Var, Vec3};
-use capwalk_render::tiles::SamplePlace;
+use capwalk_render::SamplePlace;
 use capwalk_render::{SampleRange, Tracer, Watch};
 use rayon::prelude::*;
 

@@ -8,7 +8,7 @@
 use capwalk_geometry::buffers::NONE;
 use capwalk_geometry::ray::Ray;
 use capwalk_math::Rgb;
-use capwalk_render::tiles::SamplePlace;
+use capwalk_render::SamplePlace;
 use capwalk_render::{CameraEdge, SampleRange, TooManyImages, Tracer, Watch};
 use capwalk_scene::sensor::view::ViewRay;
 use rayon::prelude::*;

@@ -7,7 +7,7 @@ use capwalk_boundary::{Boundaries, Field, Viewpoint};
 use capwalk_diff::{Forward, GradientImage, GradientOptions, GradientWork, Wanted};
 use capwalk_geometry::buffers::NONE;
 use capwalk_math::Vec3;
-use capwalk_render::tiles::SamplePlace;
+use capwalk_render::SamplePlace;
 use capwalk_render::{MotionFacts, SceneEval, Tracer, Watch};
 use capwalk_scene::Tangent;
 

@@ -3,9 +3,9 @@
 pub use crate::emitter_choice::{MANY as MANY_EMITTERS, UNIFORM as UNIFORM_EMITTERS};
 pub use crate::far_rectangle::{FAR, LEAST_COSINE2, MOST_TILT};
 pub use crate::film::FILM;
+pub use crate::filter_table::BINS;
 pub use crate::gathered_term::ROOTS;
 pub use crate::light::{NARROW, UNIFORM_SKY};
-pub use crate::pixel::BINS;
 pub use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS};
 pub use crate::radiance::{RR_MAX, RR_MIN};
 pub use crate::sampled_edge_term::{SPREAD, subtree_count};

@@ -9,7 +9,7 @@ use capwalk_scene::fingerprint;
 use crate::adaptive;
 use crate::estimate::Rendering;
 use crate::grid::{Grid, Part};
-use crate::lanes::{LaneTracer, Precision};
+use crate::lanes::{LaneTracer, RayPrecision};
 use crate::options::{RenderOptions, Watch};
 use crate::part_error::PartError;
 use crate::partial::Partial;
@@ -26,14 +26,14 @@ pub fn render(prepared: &PreparedScene, options: &RenderOptions, watch: &dyn Wat
     work.rendering(partial.into_sums())
 }
 
-/// What appends the samples of some places of an image: many at a time if that is of light, else one by one.
+/// What appends samples of an image: many at a time if that is of light, else one by one.
 pub fn take_light<'a>(
     plan: Plan,
     prepared: &'a PreparedScene,
-    precision: Precision,
+    precision: RayPrecision,
 ) -> Box<TakeSamples<'a>> {
     if let Some(lanes) = LaneTracer::of_light(plan, prepared, precision) {
-        return Box::new(move |places, taken| lanes.take(places, taken));
+        return Box::new(move |runs, taken| lanes.take(runs, taken));
     }
     let tracer = Tracer::primal(prepared).with_plan(plan);
     Box::new(tiles::one_by_one(move |pixel, stream| {
@@ -110,7 +110,7 @@ impl<'a> RenderWork<'a> {
         watch: &dyn Watch,
     ) -> Partial<PixelSums> {
         let scene = self.prepared.scene();
-        let take = take_light(Plan::new(scene), self.prepared, Precision::Resolving);
+        let take = take_light(Plan::new(scene), self.prepared, RayPrecision::Resolving);
         tiles::average(scene, options, counts, work, part, watch, take)
     }
 

@@ -14,6 +14,7 @@
 //! other, or something so near in view that it is more than two thousandths of a pixel.
 
 mod alike;
+mod film_points;
 mod frames;
 mod gradient;
 mod in_view;
@@ -33,7 +34,7 @@ mod step;
 mod tests;
 mod vectors;
 
-use capwalk_boundary::{Accel, Leaving, Stream, Streams};
+use capwalk_boundary::{Accel, Leaving, Streams};
 use capwalk_geometry::simd::Instructions;
 use capwalk_math::Rgb;
 use capwalk_scene::lobe::Specular;
@@ -46,14 +47,15 @@ use crate::pixel::Supports;
 use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS, LightSampling, Plan};
 use crate::prepared::PreparedScene;
 use crate::radiance::{RR_MAX, RR_MIN};
-use crate::tiles::{Sample, SamplePlace};
+use crate::tiles::{Sample, SampleRun};
 use alike::{Alike, FindAlike};
+use film_points::{DrawAlong, RestOfRuns};
 pub use gradient::Differentiator;
 use kept::{Step, Steps};
 use lights::{LaneChoices, LaneLights};
 use lit::{Lit, SeenEmitter, SkyPoint};
 use lobes::LaneLobes;
-pub use rays::Precision;
+pub use rays::RayPrecision;
 use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING, asked_slots};
 use step::{Brdf, Vertices};
@@ -104,10 +106,10 @@ fn last_step(steps: &mut Option<Steps>) -> Option<&mut Step> {
 }
 
 impl Paths<'_> {
-    /// None yet.
-    fn new(stream: Stream, lights: &LaneLights<'_>) -> Self {
+    /// None yet, of samples like those of a run.
+    fn new(run: &SampleRun, lights: &LaneLights<'_>) -> Self {
         Self {
-            streams: Streams::splat(stream),
+            streams: Streams::splat(run.streams.stream(run.numbers.start)),
             light: Vectors::ZERO,
             throughput: Vectors::ZERO,
             vertices: Vertices::NONE,
@@ -144,7 +146,11 @@ impl Paths<'_> {
 
 impl<'a> LaneTracer<'a> {
     /// A tracer of the light that a plan asks for; `None` if that is something else.
-    pub fn of_light(plan: Plan, prepared: &'a PreparedScene, precision: Precision) -> Option<Self> {
+    pub fn of_light(
+        plan: Plan,
+        prepared: &'a PreparedScene,
+        precision: RayPrecision,
+    ) -> Option<Self> {
         let is_light = plan.aov.is_none();
         is_light.then(|| Self::new(plan, prepared, &|_| false, precision))
     }
@@ -171,7 +177,7 @@ impl<'a> LaneTracer<'a> {
             && !scene.shapes.iter().any(|shape| moves_rays(shape));
         is_plain.then(|| Self {
             least_survival: RR_MIN,
-            ..Self::new(plan, prepared, is_asked_for, Precision::Resolving)
+            ..Self::new(plan, prepared, is_asked_for, RayPrecision::Resolving)
         })
     }
 
@@ -179,7 +185,7 @@ impl<'a> LaneTracer<'a> {
         plan: Plan,
         prepared: &'a PreparedScene,
         is_asked_for: &'a (dyn Fn(TextureId) -> bool + Sync),
-        precision: Precision,
+        precision: RayPrecision,
     ) -> Self {
         let accel = prepared.accel();
         Self {
@@ -199,47 +205,57 @@ impl<'a> LaneTracer<'a> {
         self.meets.has_packets()
     }
 
-    /// Appends the samples of some places.
-    pub fn take(&self, places: &[SamplePlace], taken: &mut Vec<Sample<3>>) {
-        let Some(first) = places.first() else {
+    /// Appends the samples of some runs.
+    pub fn take(&self, runs: &[SampleRun], taken: &mut Vec<Sample<3>>) {
+        let Some(first) = runs.first() else {
             return;
         };
         // Reused: most of it is written anew where it is needed.
-        let mut paths = Paths::new(first.stream, &self.lights);
-        for places in places.chunks(LANES) {
-            self.take_some(places, &mut paths, taken);
+        let mut paths = Paths::new(first, &self.lights);
+        let mut rest = RestOfRuns::new(runs);
+        while !rest.is_empty() {
+            self.take_some(&mut rest, &mut paths, taken);
         }
     }
 
-    /// Gives what each is weighted by in its pixel.
+    /// Takes as many as there are lanes, if so many are left, and gives what each is weighted by in its
+    /// pixel.
     fn take_some<'s>(
         &'s self,
-        places: &[SamplePlace],
+        rest: &mut RestOfRuns<'_>,
         paths: &mut Paths<'s>,
         taken: &mut Vec<Sample<3>>,
     ) -> Numbers {
         // Samples of the film, and the camera's rays through them.
-        for (lane, place) in places.iter().enumerate() {
-            paths.streams.set(lane, place.stream);
+        let any = &self.supports.pixel([0, 0]).sides;
+        let mut sides = any.map(|side| [side; LANES]);
+        let mut count = 0;
+        while count < LANES
+            && let Some((run, numbers)) = rest.next(LANES - count)
+        {
+            let lanes = count..count + numbers.len();
+            count = lanes.end;
+            let support = self.supports.pixel(run.pixel);
+            for (sides, side) in sides.iter_mut().zip(support.sides) {
+                sides[lanes.clone()].fill(side);
+            }
+            paths.streams.set(lanes, &run.streams, numbers.start);
         }
+        let mask = (1 << count) - 1;
         let mut film = [[0.0; LANES]; 2];
-        let mask = (1 << places.len()) - 1;
         self.instructions.run(step::RandomNumbers {
             streams: &paths.streams,
             first: FILM,
             lanes: mask,
             numbers: &mut film,
         });
-        let mut weights = [0.0; LANES];
-        let mut lane = 0;
-        for places in places.chunk_by(|a, b| a.pixel == b.pixel) {
-            let support = self.supports.pixel(places[0].pixel);
-            for _ in places {
-                let s = support.sample(0.0, 0.0, [film[0][lane], film[1][lane]]);
-                (film[0][lane], film[1][lane]) = (s[0], s[1]);
-                weights[lane] = support.weight_over_pdf(s);
-                lane += 1;
-            }
+        let mut weights = [1.0; LANES];
+        for (film, sides) in film.iter_mut().zip(&sides) {
+            self.instructions.run(DrawAlong {
+                sides,
+                film,
+                weights: &mut weights,
+            });
         }
         let range = self.set_camera_rays(paths, &film, mask);
         paths.light = Vectors::ZERO;
@@ -260,7 +276,7 @@ impl<'a> LaneTracer<'a> {
         }
         self.add_seen(paths, mask);
         self.reflect(paths, mask);
-        taken.extend((0..places.len()).map(|lane| Sample {
+        taken.extend((0..count).map(|lane| Sample {
             numbers: (paths.light.colour(lane) * weights[lane]).to_array(),
             effort: EFFORT_OF_LANE + self.meets.effort(paths.rays[lane]),
             ..Sample::default()

@@ -12,31 +12,25 @@
 //! of the box filter, and at cut-off sides of the others. The derivative has a boundary term
 //! there, which [`crate::Tracer::pixel`] adds.
 
+use std::sync::Arc;
+
 use capwalk_math::Real;
 use capwalk_scene::{Film, Filter};
+
+use crate::filter_table::{BINS, FilterTable};
 
 /// The support of a column or a row of pixels, and the filter along it.
 #[derive(Clone, Debug)]
 pub struct Side {
-    filter: Filter,
     /// Film coordinate of the pixels' centre.
-    centre: f64,
+    pub centre: f64,
     /// Where the support starts and ends.
     pub bounds: [f64; 2],
     /// True where the filter is not zero at that bound: it is discontinuous there.
     pub discontinuous: [bool; 2],
-    /// Integral of the filter between the bounds.
-    integral: f64,
-    /// The filter between the bounds as probabilities of equal bins.
-    bins: [f64; BINS],
-    /// The sums of those before each.
-    below: [f64; BINS],
-    /// True if the filter is the same everywhere between the bounds.
-    is_flat: bool,
+    /// What points are drawn by; the same for all that are cut off alike.
+    pub table: Arc<FilterTable>,
 }
-
-/// Bins of the piecewise constant density that filters are drawn from.
-pub const BINS: usize = 32;
 
 /// The support of a pixel.
 #[derive(Clone, Copy, Debug)]
@@ -60,44 +54,14 @@ pub struct Supports {
     rows: Vec<Side>,
 }
 
-/// Gauss-Legendre nodes and weights on [-1, 1], 8 points (Abramowitz and
-/// Stegun 25.4.30); over a pixel of any filter they are exact to 1e-9.
-const GAUSS: [(f64, f64); 4] = [
-    (0.1834346424956498, 0.3626837833783620),
-    (0.5255324099163290, 0.3137066458778873),
-    (0.7966664774136267, 0.2223810344533745),
-    (0.9602898564975363, 0.1012285362903763),
-];
-
-/// `∫ f` from `a` to `b`.
-fn integrate(f: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
-    let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
-    let pairs = GAUSS.iter();
-    pairs
-        .map(|&(x, w)| w * half * (f(middle + half * x) + f(middle - half * x)))
-        .sum()
-}
-
-/// [`integrate`] over an interval around a filter's centre, cut at each pixel from it: cubic
-/// filters have their knots there, and Lanczos's its zeros.
-fn integrate_pieces(f: impl Fn(f64) -> f64, [start, end]: [f64; 2], centre: f64) -> f64 {
-    let (mut sum, mut from) = (0.0, start);
-    while from < end {
-        let to = (centre + (from - centre).floor() + 1.0).min(end);
-        sum += integrate(&f, from, to);
-        from = to;
-    }
-    sum
-}
-
 impl Supports {
     /// The supports of a film's pixels.
     pub fn new(film: &Film) -> Self {
-        let sides = |axis: usize| {
+        let mut tables = Vec::new();
+        let mut sides = |axis: usize| {
             let count = film.crop_size[axis];
-            (0..count)
-                .map(|index| Side::new(film, axis, index))
-                .collect()
+            let side = |index| Side::new(film, axis, index, &mut tables);
+            (0..count).map(side).collect()
         };
         Self {
             columns: sides(0),
@@ -109,7 +73,8 @@ impl Supports {
     /// devices: where it starts, from the pixel's centre; the width of a bin, and that over the
     /// filter's integral; the probabilities of all bins below each; and its own.
     pub fn tables(&self) -> impl Iterator<Item = [f64; 3 + 2 * BINS]> {
-        self.columns.iter().chain(&self.rows).map(Side::table)
+        let sides = self.columns.iter().chain(&self.rows);
+        sides.map(|side| side.table.numbers())
     }
 
     /// The support of the pixel in column `x` and row `y` of the image.
@@ -164,17 +129,15 @@ impl Support<'_> {
     #[inline]
     pub fn sample_by_filter(&self, u: [f64; 2]) -> DrawnPoint {
         let place = self.sample(0.0, 0.0, u);
-        let weight = self.weight_over_pdf(place);
-        DrawnPoint { place, weight }
-    }
-
-    /// Weight over density of a film point drawn from the filter's magnitude alone.
-    #[inline]
-    pub fn weight_over_pdf(&self, s: [f64; 2]) -> f64 {
-        match self.sides.iter().all(|side| side.is_flat) {
+        let weight = match self
+            .sides
+            .iter()
+            .all(|side| side.table.filter == Filter::Box)
+        {
             true => 1.0,
-            false => self.weight(s) / self.pdf(0.0, s),
-        }
+            false => self.weight(place) / self.pdf(0.0, place),
+        };
+        DrawnPoint { place, weight }
     }
 
     /// Density of [`Support::sample`], per pixel area.
@@ -186,84 +149,52 @@ impl Support<'_> {
 }
 
 impl Side {
-    fn new(film: &Film, axis: usize, index: u32) -> Self {
+    /// `tables` has those of others, and gets this one's if it is new.
+    fn new(film: &Film, axis: usize, index: u32, tables: &mut Vec<Arc<FilterTable>>) -> Self {
         let filter = film.filter;
+        let start = f64::from(film.crop_offset[axis]);
         let centre = f64::from(film.crop_offset[axis] + index) + 0.5;
-        let whole = [centre - filter.radius(), centre + filter.radius()];
-        let mut bounds = whole;
+        let whole = [-filter.radius(), filter.radius()];
+        let mut ends = whole;
         if !film.sample_border {
-            let start = f64::from(film.crop_offset[axis]);
             let end = start + f64::from(film.crop_size[axis]);
-            bounds = [whole[0].max(start), whole[1].min(end)];
+            ends = [whole[0].max(start - centre), whole[1].min(end - centre)];
         }
-        let f = |s: f64| filter.eval(s - centre);
-        let width = (bounds[1] - bounds[0]) / BINS as f64;
-        let start = |i: usize| bounds[0] + i as f64 * width;
-        // In the middle of a bin a filter that changes sign may be zero by accident.
-        let bins: [f64; BINS] = std::array::from_fn(|i| match filter.changes_sign() {
-            true => integrate(|s| f(s).abs(), start(i), start(i) + width),
-            false => f(start(i) + 0.5 * width),
-        });
-        let total: f64 = bins.iter().sum();
-        let bins = bins.map(|mass| mass / total);
-        let mut sum = 0.0;
-        let below = bins.map(|mass| {
-            let below = sum;
-            sum += mass;
-            below
+        let found = tables.iter().find(|table| table.ends == ends);
+        let table = found.cloned().unwrap_or_else(|| {
+            let table = Arc::new(FilterTable::new(filter, ends));
+            tables.push(Arc::clone(&table));
+            table
         });
         Self {
-            filter,
             centre,
-            bounds,
-            discontinuous: [0, 1].map(|end| filter == Filter::Box || bounds[end] != whole[end]),
-            integral: integrate_pieces(f, bounds, centre),
-            bins,
-            below,
-            is_flat: filter == Filter::Box,
+            bounds: ends.map(|end| centre + end),
+            discontinuous: [0, 1].map(|i| filter == Filter::Box || ends[i] != whole[i]),
+            table,
         }
-    }
-
-    /// What points along it are drawn by, see [`Supports::tables`].
-    fn table(&self) -> [f64; 3 + 2 * BINS] {
-        let width = self.width() / BINS as f64;
-        let numbers = [self.bounds[0] - self.centre, width, width / self.integral];
-        let mut numbers = numbers.iter().chain(&self.below).chain(&self.bins);
-        std::array::from_fn(|_| *numbers.next().expect("as many"))
     }
 
     /// Length of the support.
     #[inline]
     pub fn width(&self) -> f64 {
-        self.bounds[1] - self.bounds[0]
+        self.table.ends[1] - self.table.ends[0]
     }
 
     /// The normalised filter along this axis.
     #[inline]
     pub fn weight<R: Real>(&self, s: R) -> R {
-        self.filter.eval(s - R::constant(self.centre)) * R::constant(1.0 / self.integral)
+        self.table.weight(s - R::constant(self.centre))
     }
 
     /// Draws a point with a density close to the filter's magnitude.
     #[inline]
     fn sample(&self, u: f64) -> f64 {
-        if self.is_flat {
-            return self.bounds[0] + u * self.width();
-        }
-        // The number of bins is a power of two: halve what is left until it is one.
-        let (mut bin, mut half) = (0, BINS / 2);
-        while half > 0 {
-            bin += half * usize::from(u >= self.below[bin + half]);
-            half /= 2;
-        }
-        let inside = ((u - self.below[bin]) / self.bins[bin]).min(1.0);
-        self.bounds[0] + (bin as f64 + inside) * (self.width() / BINS as f64)
+        self.centre + self.table.sample(u)
     }
 
     /// Density of [`Side::sample`].
     fn pdf(&self, s: f64) -> f64 {
-        let bin = (s - self.bounds[0]) / self.width() * BINS as f64;
-        self.bins[(bin as usize).min(BINS - 1)] * BINS as f64 / self.width()
+        self.table.pdf(s - self.centre)
     }
 }
 

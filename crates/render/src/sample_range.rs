@@ -2,11 +2,18 @@
 
 use std::ops::Range;
 
-use capwalk_boundary::Sampler;
+use capwalk_boundary::{Sampler, Stream};
 use capwalk_scene::Film;
 use rayon::prelude::*;
 
-use crate::tiles::SamplePlace;
+/// A sample of an image.
+#[derive(Clone, Copy, Debug)]
+pub struct SamplePlace {
+    /// The column and row of its pixel.
+    pub pixel: [u32; 2],
+    /// Its random numbers.
+    pub stream: Stream,
+}
 
 /// Some samples of an image, in this order: the first one of every pixel, row by row, then the
 /// second one of every pixel, and so on.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use capwalk_boundary::{Sampler, Stream, pool};
+use capwalk_boundary::{PixelStreams, Sampler, Stream, pool};
 use capwalk_geometry::effort;
 use capwalk_math::Moments;
 use capwalk_scene::{Image, Scene};
@@ -38,31 +38,40 @@ impl<const C: usize> Default for Sample<C> {
     }
 }
 
-/// A sample that is to be taken.
-#[derive(Clone, Copy, Debug)]
-pub struct SamplePlace {
-    /// The column and row of its pixel.
+/// Consecutive samples of a pixel that are to be taken.
+#[derive(Clone, Debug)]
+pub struct SampleRun {
+    /// The column and row of the pixel.
     pub pixel: [u32; 2],
-    /// Its random numbers.
-    pub stream: Stream,
+    /// The random numbers of its samples.
+    pub streams: PixelStreams,
+    /// Which samples.
+    pub numbers: Range<u32>,
 }
 
-/// Appends the samples of some places of an image of light.
-pub type TakeSamples<'a> = dyn Fn(&[SamplePlace], &mut Vec<Sample<3>>) + Sync + 'a;
+/// How many samples these are.
+pub fn count_samples(runs: &[SampleRun]) -> usize {
+    runs.iter().map(|run| run.numbers.len()).sum()
+}
+
+/// Appends samples of an image of light, in order.
+pub type TakeSamples<'a> = dyn Fn(&[SampleRun], &mut Vec<Sample<3>>) + Sync + 'a;
 
 /// Takes samples one after the other, and counts their effort.
 pub fn one_by_one<const C: usize>(
     sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,
-) -> impl Fn(&[SamplePlace], &mut Vec<Sample<C>>) + Sync {
-    move |places, taken| {
-        taken.extend(places.iter().map(|place| {
-            let before = effort();
-            let sample = sample(place.pixel, &place.stream);
-            Sample {
-                effort: EFFORT_OF_SAMPLE + effort().wrapping_sub(before),
-                ..sample
-            }
-        }));
+) -> impl Fn(&[SampleRun], &mut Vec<Sample<C>>) + Sync {
+    move |runs, taken| {
+        for run in runs {
+            taken.extend(run.numbers.clone().map(|number| {
+                let before = effort();
+                let sample = sample(run.pixel, &run.streams.stream(number));
+                Sample {
+                    effort: EFFORT_OF_SAMPLE + effort().wrapping_sub(before),
+                    ..sample
+                }
+            }));
+        }
     }
 }
 
@@ -123,7 +132,8 @@ impl PixelSums {
     }
 }
 
-/// Numbers of a pixel that follow each other: their sums need no division.
+/// Numbers of a pixel that follow each other, each the mean of a group of samples: their sums need no
+/// division.
 #[derive(Clone, Copy)]
 struct Run<const C: usize> {
     count: u64,
@@ -132,6 +142,9 @@ struct Run<const C: usize> {
     /// Of differences from those, and of their squares.
     sums: [f64; C],
     squares: [f64; C],
+    /// A group that is not complete: its samples, and their sum.
+    begun: u32,
+    sum: [f64; C],
 }
 
 impl<const C: usize> Default for Run<C> {
@@ -141,11 +154,48 @@ impl<const C: usize> Default for Run<C> {
             from: [0.0; C],
             sums: [0.0; C],
             squares: [0.0; C],
+            begun: 0,
+            sum: [0.0; C],
         }
     }
 }
 
 impl<const C: usize> Run<C> {
+    /// Adds samples, which make groups of so many.
+    fn add_samples(&mut self, samples: &[Sample<C>], group: u32, tally: &mut Tally) {
+        for sample in samples {
+            tally.cone_queries += sample.cone_queries;
+            tally.effort += sample.effort;
+            let numbers = match is_finite(&sample.numbers) {
+                true => sample.numbers,
+                false => {
+                    tally.non_finite += 1;
+                    [0.0; C]
+                }
+            };
+            if group == 1 {
+                self.add(numbers);
+                continue;
+            }
+            let sums = self.sum.iter_mut().zip(numbers);
+            sums.for_each(|(sum, x)| *sum += x);
+            self.begun += 1;
+            if self.begun == group {
+                self.end_group();
+            }
+        }
+        tally.samples += samples.len() as u32;
+    }
+
+    /// Adds the mean of the samples of a group, if there are any.
+    fn end_group(&mut self) {
+        let (sum, count) = (std::mem::replace(&mut self.sum, [0.0; C]), self.begun);
+        self.begun = 0;
+        if count > 0 {
+            self.add(sum.map(|sum| sum / f64::from(count)));
+        }
+    }
+
     #[inline]
     fn add(&mut self, numbers: [f64; C]) {
         if self.count == 0 {
@@ -159,7 +209,8 @@ impl<const C: usize> Run<C> {
         }
     }
 
-    fn add_to(&self, moments: &mut [Moments]) {
+    /// Adds the numbers to those of a pixel, and forgets them, but for a group that is not complete.
+    fn add_to(&mut self, moments: &mut [Moments]) {
         if self.count == 0 {
             return;
         }
@@ -168,6 +219,11 @@ impl<const C: usize> Run<C> {
             let run = Moments::from_sums(count, from[i], self.sums[i], self.squares[i]);
             moments.merge(&run);
         }
+        *self = Self {
+            begun: self.begun,
+            sum: self.sum,
+            ..Self::default()
+        };
     }
 }
 
@@ -259,7 +315,7 @@ impl SampleCounts {
 }
 
 /// Averages the samples of the cells of a part, so many of each pixel. `take_some` appends the
-/// samples of some places, in their order, each of which must not depend on the others. The same to
+/// samples of some runs, in their order, each of which must not depend on the others. The same to
 /// the bit for every number of threads and every
 /// way to cut the work: each pixel adds the samples of a batch in order, and then the batches.
 ///
@@ -272,7 +328,7 @@ pub fn average<const C: usize>(
     work: Option<u64>,
     part: &Part,
     watch: &dyn Watch,
-    take_some: impl Fn(&[SamplePlace], &mut Vec<Sample<C>>) + Sync,
+    take_some: impl Fn(&[SampleRun], &mut Vec<Sample<C>>) + Sync,
 ) -> Partial<PixelSums> {
     let sampler = Sampler::new(&scene.settings, options.seed, options.spp);
     let group = sampler.group();
@@ -303,73 +359,53 @@ pub fn average<const C: usize>(
             if watch.should_stop() {
                 return;
             }
-            // Which samples of each pixel.
-            let numbers: Vec<Range<u32>> = (first..)
-                .zip(&*tallies)
-                .map(|(pixel, _)| {
-                    let of_batch = samples_of(batch, pixel);
-                    let of_pass = Grid::part(of_batch.len() as u32, group, passes, pass);
-                    of_batch.start + of_pass.start..of_batch.start + of_pass.end
-                })
-                .collect();
-            let work = numbers.iter().map(|range| range.len() as u64).sum();
-            let mut of = Vec::with_capacity(TOGETHER);
-            let mut places = Vec::with_capacity(TOGETHER);
+            // Samples to be taken together; of each of their runs the pixel, and whether it is the last.
+            let mut runs: Vec<SampleRun> = Vec::with_capacity(TOGETHER);
+            let mut of: Vec<(usize, bool)> = Vec::with_capacity(TOGETHER);
             let mut taken = Vec::with_capacity(TOGETHER);
-            // Samples that depend on each other count as one number: their mean.
-            let (mut sum, mut count) = ([0.0; C], 0);
-            let mut take_all = |of: &mut Vec<(usize, u32)>, places: &mut Vec<SamplePlace>| {
+            let mut sums = Run::default();
+            let (pixels, mut waiting, mut work) = (tallies.len(), 0, 0);
+            let mut take_all = |runs: &mut Vec<SampleRun>, of: &mut Vec<(usize, bool)>| {
                 taken.clear();
-                take_some(places, &mut taken);
-                debug_assert_eq!(taken.len(), places.len());
+                take_some(runs, &mut taken);
                 let mut rest = &taken[..];
-                // Those of a pixel follow each other.
-                for of_pixel in of.chunk_by(|a, b| a.0 == b.0) {
-                    let (i, _) = of_pixel[0];
-                    let (samples, others) = rest.split_at(of_pixel.len());
+                for (run, (i, is_last)) in runs.drain(..).zip(of.drain(..)) {
+                    let (samples, others) = rest.split_at(run.numbers.len());
                     rest = others;
-                    let tally = &mut tallies[i];
-                    let mut run = Run::default();
-                    for (&(_, number), sample) in of_pixel.iter().zip(samples) {
-                        tally.cone_queries += sample.cone_queries;
-                        tally.effort += sample.effort;
-                        if is_finite(&sample.numbers) {
-                            let sums = sum.iter_mut().zip(sample.numbers);
-                            sums.for_each(|(s, x)| *s += x);
-                        } else {
-                            tally.non_finite += 1;
-                        }
-                        count += 1;
-                        if count == group || number + 1 == numbers[i].end {
-                            if count > 1 {
-                                sum = sum.map(|sum| sum / f64::from(count));
-                            }
-                            run.add(sum);
-                            tally.samples += count;
-                            (sum, count) = ([0.0; C], 0);
-                        }
+                    sums.add_samples(samples, group, &mut tallies[i]);
+                    if is_last {
+                        sums.end_group();
                     }
-                    run.add_to(&mut moments[i * C..(i + 1) * C]);
+                    sums.add_to(&mut moments[i * C..(i + 1) * C]);
                 }
-                of.clear();
-                places.clear();
+                debug_assert!(rest.is_empty());
             };
-            for (i, range) in numbers.iter().enumerate() {
-                let pixel = first + i as u32;
-                let place = [pixel % width, pixel / width];
-                let stream = sampler.in_pixel(u64::from(pixel));
-                for number in range.clone() {
-                    of.push((i, number));
-                    places.push(SamplePlace {
+            for (i, pixel) in (first..).take(pixels).enumerate() {
+                let of_batch = samples_of(batch, pixel);
+                let of_pass = Grid::part(of_batch.len() as u32, group, passes, pass);
+                let end = of_batch.start + of_pass.end;
+                let mut next = of_batch.start + of_pass.start;
+                work += of_pass.len() as u64;
+                let (place, streams) = (
+                    [pixel % width, pixel / width],
+                    sampler.in_pixel(u64::from(pixel)),
+                );
+                while next < end {
+                    let numbers = next..end.min(next + (TOGETHER - waiting) as u32);
+                    (next, waiting) = (numbers.end, waiting + numbers.len());
+                    of.push((i, next == end));
+                    runs.push(SampleRun {
                         pixel: place,
-                        stream: stream(number),
+                        streams,
+                        numbers,
                     });
-                    if places.len() == TOGETHER {
-                        take_all(&mut of, &mut places);
+                    if waiting == TOGETHER {
+                        take_all(&mut runs, &mut of);
+                        waiting = 0;
                     }
                 }
             }
-            take_all(&mut of, &mut places);
+            take_all(&mut runs, &mut of);
             let before = done.fetch_add(work, Ordering::Relaxed);
             watch.progress(before + work, total);
         };

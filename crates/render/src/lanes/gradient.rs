@@ -9,14 +9,15 @@
 
 use capwalk_math::Rgb;
 
+use crate::lanes::film_points::RestOfRuns;
 use crate::lanes::kept::{Step, Steps};
 use crate::lanes::scattered::{Arriving, Place};
 use crate::lanes::vectors::LANES;
 use crate::lanes::{LaneTracer, Paths};
 use crate::path_adjoint::PathAdjoint;
-use crate::tiles::{Sample, SamplePlace};
+use crate::tiles::{Sample, SampleRun};
 
-/// Takes samples of some places after others, and differentiates their light.
+/// Takes samples of some runs after others, and differentiates their light.
 pub struct Differentiator<'a> {
     tracer: &'a LaneTracer<'a>,
     /// In memory that is used again.
@@ -30,27 +31,27 @@ impl<'a> Differentiator<'a> {
         Self { tracer, paths }
     }
 
-    /// Appends the samples of some places, and calls `depends` with all numbers on which their light
+    /// Appends the samples of some runs, and calls `depends` with all numbers on which their light
     /// depends and that are asked for, for each with the number of the sample. `covectors` are those
     /// on the samples' light.
     pub fn take(
         &mut self,
-        places: &[SamplePlace],
+        runs: &[SampleRun],
         covectors: &[Rgb],
         taken: &mut Vec<Sample<3>>,
         mut depends: impl FnMut(usize, PathAdjoint),
     ) {
-        let Some(first) = places.first() else {
+        let Some(first) = runs.first() else {
             return;
         };
         let tracer = self.tracer;
         let paths = self.paths.get_or_insert_with(|| Paths {
             steps: Some(Steps::default()),
-            ..Paths::new(first.stream, &tracer.lights)
+            ..Paths::new(first, &tracer.lights)
         });
-        let chunks = places.chunks(LANES).zip(covectors.chunks(LANES));
-        for (chunk, (places, covectors)) in chunks.enumerate() {
-            let weights = tracer.take_some(places, paths, taken);
+        let mut rest = RestOfRuns::new(runs);
+        for (chunk, covectors) in covectors.chunks(LANES).enumerate() {
+            let weights = tracer.take_some(&mut rest, paths, taken);
             for (lane, (&covector, weight)) in covectors.iter().zip(weights).enumerate() {
                 let depends = &mut |adjoint| depends(chunk * LANES + lane, adjoint);
                 tracer.pull(paths, lane, covector * weight, depends);

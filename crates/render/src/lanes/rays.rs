@@ -27,7 +27,7 @@ const EFFORT_OF_LEVEL: u64 = 2;
 
 /// In which precision rays meet surfaces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Precision {
+pub enum RayPrecision {
     /// Single where that resolves the scene, else double.
     Resolving,
     /// Double everywhere.
@@ -57,10 +57,10 @@ pub struct LaneRays<'a> {
 
 impl<'a> Meets<'a> {
     /// All surfaces of a scene.
-    pub fn new(accel: &'a Accel, precision: Precision) -> Self {
+    pub fn new(accel: &'a Accel, precision: RayPrecision) -> Self {
         let packets = match precision {
-            Precision::Resolving => packets(accel),
-            Precision::Double => None,
+            RayPrecision::Resolving => packets(accel),
+            RayPrecision::Double => None,
         };
         let pieces = match packets {
             Some(_) => accel.rays().piece_count(),

@@ -451,7 +451,7 @@ mod tests {
         let scene = builtin::scene("box-room").expect("built in");
         let sampler = Sampler::new(&scene.settings, 3, 64);
         let mut streams = Streams::splat(sampler.stream(7, 0));
-        (0..LANES).for_each(|lane| streams.set(lane, sampler.stream(7, lane as u32)));
+        streams.set(0..LANES, &sampler.in_pixel(7), 0);
         let prepared = PreparedScene::new(scene);
         let view = &prepared.accel().view;
         let instructions = Instructions::detect();

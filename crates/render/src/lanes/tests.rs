@@ -23,6 +23,7 @@ use capwalk_scene_io::load_scene;
 
 use super::*;
 use crate::scene_eval::Primal;
+use crate::tiles::count_samples;
 use crate::tracer::Tracer;
 
 fn direct(hide_emitters: bool) -> Integrator {
@@ -89,7 +90,7 @@ fn painted(mut scene: Scene) -> Scene {
 fn samples_are_those_of_the_tracer(what: &str, scene: Scene) {
     let Compared {
         differ, lit, means, ..
-    } = compare(&PreparedScene::new(scene), 20_005, Precision::Resolving);
+    } = compare(&PreparedScene::new(scene), 20_005, RayPrecision::Resolving);
     assert!(lit > 5000, "{what}: {lit}");
     assert!(differ < 8, "{what}: {differ} differ");
     assert!(
@@ -109,22 +110,23 @@ struct Compared {
     example: Option<([u32; 2], [Rgb; 2])>,
 }
 
-fn compare(prepared: &PreparedScene, samples: u32, precision: Precision) -> Compared {
+fn compare(prepared: &PreparedScene, samples: u32, precision: RayPrecision) -> Compared {
     let (scene, tracer) = (prepared.scene(), Tracer::primal(prepared));
     let lanes = LaneTracer::of_light(tracer.plan, prepared, precision).expect("an image of light");
     let sampler = Sampler::new(&scene.settings, 3, 64);
     let [width, height] = scene.film.crop_size;
-    let place = |i: u32| {
-        let pixel = i * 29 % (width * height);
-        SamplePlace {
+    let run = |i: u32| {
+        let (pixel, number) = (i * 29 % (width * height), i / (width * height));
+        SampleRun {
             pixel: [pixel % width, pixel / width],
-            stream: sampler.stream(u64::from(pixel), i / (width * height)),
+            streams: sampler.in_pixel(u64::from(pixel)),
+            numbers: number..number + 1,
         }
     };
-    let places: Vec<SamplePlace> = (0..samples).map(place).collect();
+    let runs: Vec<SampleRun> = (0..samples).map(run).collect();
     let mut taken = Vec::new();
-    lanes.take(&places, &mut taken);
-    assert_eq!(taken.len(), places.len());
+    lanes.take(&runs, &mut taken);
+    assert_eq!(taken.len(), runs.len());
     let eval = Primal(prepared.accel());
     let mut compared = Compared {
         differ: 0,
@@ -132,12 +134,12 @@ fn compare(prepared: &PreparedScene, samples: u32, precision: Precision) -> Comp
         means: [0.0; 2],
         example: None,
     };
-    for (place, sample) in places.iter().zip(&taken) {
+    for (run, sample) in runs.iter().zip(&taken) {
         let draw = Draw {
-            stream: &place.stream,
+            stream: &run.streams.stream(run.numbers.start),
             counts: &Counts::default(),
         };
-        let expected: Rgb = tracer.pixel(&eval, place.pixel, draw);
+        let expected: Rgb = tracer.pixel(&eval, run.pixel, draw);
         let found = Rgb::from(sample.numbers);
         compared.lit += u32::from(expected.r > 0.0);
         let error = (found - expected).to_array().map(f64::abs);
@@ -145,7 +147,7 @@ fn compare(prepared: &PreparedScene, samples: u32, precision: Precision) -> Comp
         // True for NaN.
         if !error.iter().all(|&error| error <= 1e-9 * size) {
             compared.differ += 1;
-            compared.example = Some((place.pixel, [found, expected]));
+            compared.example = Some((run.pixel, [found, expected]));
         }
         compared.means[0] += found.r;
         compared.means[1] += expected.r;
@@ -178,9 +180,9 @@ fn lanes_sample_all_scenes() {
         if matches!(prepared.scene().settings.integrator, Integrator::Aov(_)) {
             continue;
         }
-        let has_packets = rays::Meets::new(prepared.accel(), Precision::Resolving).has_packets();
+        let has_packets = rays::Meets::new(prepared.accel(), RayPrecision::Resolving).has_packets();
         with_packets += u32::from(has_packets);
-        let compared = compare(&prepared, 403, Precision::Resolving);
+        let compared = compare(&prepared, 403, RayPrecision::Resolving);
         let allowed = if has_packets { 2 } else { 0 };
         if compared.differ > allowed {
             let name = file.strip_prefix(&tests).unwrap_or(file).display();
@@ -219,12 +221,12 @@ fn lanes_sample_what_the_tracer_does() {
 fn lanes_in_double_precision_sample_the_same() {
     let prepared = PreparedScene::new(scene("box-room", path(Some(3))));
     let plan = Plan::new(prepared.scene());
-    let has_packets = [Precision::Resolving, Precision::Double].map(|precision| {
+    let has_packets = [RayPrecision::Resolving, RayPrecision::Double].map(|precision| {
         let lanes = LaneTracer::of_light(plan, &prepared, precision);
         lanes.expect("an image of light").has_packets()
     });
     assert_eq!(has_packets, [true, false]);
-    let compared = compare(&prepared, 5_000, Precision::Double);
+    let compared = compare(&prepared, 5_000, RayPrecision::Double);
     assert_eq!(compared.differ, 0, "{:?}", compared.example);
 }
 
@@ -542,17 +544,23 @@ fn samples_are_the_same_in_other_packets(scene: Scene) {
     let prepared = PreparedScene::new(scene);
     let tracer = Tracer::primal(&prepared);
     let lanes =
-        LaneTracer::of_light(tracer.plan, &prepared, Precision::Resolving).expect("for lanes");
+        LaneTracer::of_light(tracer.plan, &prepared, RayPrecision::Resolving).expect("for lanes");
     let sampler = Sampler::new(&prepared.scene().settings, 5, 64);
-    let place = |i: u32| SamplePlace {
+    // Runs of different lengths; what is left out is at the beginning of one, or all of it.
+    let run = |i: u32| SampleRun {
         pixel: [i % 24, i / 24 % 18],
-        stream: sampler.stream(u64::from(i % 432), i / 432),
+        streams: sampler.in_pixel(u64::from(i % 432)),
+        numbers: 2..3 + i % 23,
     };
-    let places: Vec<SamplePlace> = (0..4000).map(place).collect();
+    let runs: Vec<SampleRun> = (0..432).map(run).collect();
+    let mut fewer = runs[2..].to_vec();
+    fewer[0].numbers.start = 4;
     let (mut together, mut shifted) = (Vec::new(), Vec::new());
-    lanes.take(&places, &mut together);
-    lanes.take(&places[3..], &mut shifted);
-    for (a, b) in together[3..].iter().zip(&shifted) {
+    lanes.take(&runs, &mut together);
+    lanes.take(&fewer, &mut shifted);
+    let [all, left] = [&runs, &fewer].map(|runs| count_samples(runs));
+    assert_eq!((together.len(), shifted.len()), (all, left));
+    for (a, b) in together[all - left..].iter().zip(&shifted) {
         assert_eq!((a.numbers, a.effort), (b.numbers, b.effort));
     }
 }
@@ -562,7 +570,7 @@ fn samples_are_the_same_in_other_packets(scene: Scene) {
 fn other_scenes_have_single_rays() {
     let has_packets = |scene: Scene| {
         let prepared = PreparedScene::new(scene);
-        rays::Meets::new(prepared.accel(), Precision::Resolving).has_packets()
+        rays::Meets::new(prepared.accel(), RayPrecision::Resolving).has_packets()
     };
     let room = || scene("box-room", path(None));
     assert!(has_packets(room()));
