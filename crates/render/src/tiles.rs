@@ -216,8 +216,15 @@ impl<const C: usize> Run<C> {
         }
         for (i, moments) in moments.iter_mut().enumerate() {
             let Self { count, from, .. } = *self;
-            let run = Moments::from_sums(count, from[i], self.sums[i], self.squares[i]);
-            moments.merge(&run);
+            match count {
+                1 => moments.add(from[i]),
+                _ => moments.merge(&Moments::from_sums(
+                    count,
+                    from[i],
+                    self.sums[i],
+                    self.squares[i],
+                )),
+            }
         }
         *self = Self {
             begun: self.begun,
@@ -279,6 +286,31 @@ const PASSES: u32 = 32;
 /// Samples of a pixel in one pass at most (except for a group), so that it can be
 /// stopped at once.
 const MOST_PER_PASS: u32 = 32;
+
+/// Which of so many samples are taken; most pixels ask about as many as the one before.
+struct Remembered<F> {
+    count: u32,
+    range: Range<u32>,
+    find: F,
+}
+
+impl<F: Fn(u32) -> Range<u32>> Remembered<F> {
+    fn new(find: F) -> Self {
+        Self {
+            count: 0,
+            range: 0..0,
+            find,
+        }
+    }
+
+    #[inline]
+    fn of(&mut self, count: u32) -> Range<u32> {
+        if count != self.count {
+            (self.count, self.range) = (count, (self.find)(count));
+        }
+        self.range.clone()
+    }
+}
 
 /// The cells that the samples of an image are cut into.
 pub fn grid(scene: &Scene, options: &RenderOptions) -> Grid {
@@ -342,14 +374,16 @@ pub fn average<const C: usize>(
         let rows = grid.rows(band, height);
         rows.start * width..rows.end * width
     };
-    let samples_of = |batch: u32, pixel: u32| grid.samples(batch, counts.of(pixel, options), group);
-    let total = grid.cells().filter(|&cell| part.contains(cell));
-    let total = total
-        .map(|cell| {
-            let pixels = pixels_of(cell.band);
-            let samples = pixels.map(|pixel| samples_of(cell.batch, pixel).len() as u64);
-            samples.sum::<u64>()
-        })
+    // Those of the pixels, one after the other, in a batch.
+    let samples_of = |batch: u32, pixels: Range<u32>| {
+        let mut of_batch = Remembered::new(move |count| grid.samples(batch, count, group));
+        pixels.map(move |pixel| of_batch.of(counts.of(pixel, options)))
+    };
+    let count_of = move |batch, pixels| samples_of(batch, pixels).map(|range| range.len() as u32);
+    let cells = grid.cells().filter(|&cell| part.contains(cell));
+    let total = cells
+        .flat_map(|cell| count_of(cell.batch, pixels_of(cell.band)))
+        .map(u64::from)
         .sum();
     let done = AtomicU64::new(0);
 
@@ -364,7 +398,8 @@ pub fn average<const C: usize>(
             let mut of: Vec<(usize, bool)> = Vec::with_capacity(TOGETHER);
             let mut taken = Vec::with_capacity(TOGETHER);
             let mut sums = Run::default();
-            let (pixels, mut waiting, mut work) = (tallies.len(), 0, 0);
+            let pixels = first..first + tallies.len() as u32;
+            let (mut waiting, mut work) = (0, 0);
             let mut take_all = |runs: &mut Vec<SampleRun>, of: &mut Vec<(usize, bool)>| {
                 taken.clear();
                 take_some(runs, &mut taken);
@@ -380,9 +415,10 @@ pub fn average<const C: usize>(
                 }
                 debug_assert!(rest.is_empty());
             };
-            for (i, pixel) in (first..).take(pixels).enumerate() {
-                let of_batch = samples_of(batch, pixel);
-                let of_pass = Grid::part(of_batch.len() as u32, group, passes, pass);
+            let mut parts = Remembered::new(|count| Grid::part(count, group, passes, pass));
+            for (i, (pixel, of_batch)) in pixels.clone().zip(samples_of(batch, pixels)).enumerate()
+            {
+                let of_pass = parts.of(of_batch.len() as u32);
                 let end = of_batch.start + of_pass.end;
                 let mut next = of_batch.start + of_pass.start;
                 work += of_pass.len() as u64;
@@ -417,9 +453,8 @@ pub fn average<const C: usize>(
     pool::install(|| {
         for batch in 0..grid.batches {
             let mut empty = |band: u32| {
-                let wanted = pixels_of(band).map(|pixel| samples_of(batch, pixel).len() as u32);
                 let memory = spare.pop().unwrap_or_default();
-                (band, memory.restarted(wanted, C))
+                (band, memory.restarted(count_of(batch, pixels_of(band)), C))
             };
             let bands = part.bands_of(batch).into_iter();
             let mut bands: Vec<(u32, PixelSums)> = bands.map(&mut empty).collect();
