@@ -276,10 +276,10 @@ pub const EFFORT_OF_SAMPLE: u64 = 100;
 
 /// Samples that are taken together: so many that what is set up for them costs little.
 const TOGETHER: usize = 256;
-/// A worker takes at least so many pixels at a time, more where each has few samples in a pass.
-const LEAST_CHUNK: usize = 16;
-/// But a band is shared out to at least so many workers.
-const LEAST_CHUNKS: usize = 8;
+/// A task has at least so many pixels, more where each has few samples in a pass.
+const LEAST_PIXELS: usize = 16;
+/// But for each thread a pass has at least so many tasks, some of which take longer than others.
+const TASKS_PER_THREAD: usize = 8;
 /// The work is done in at least this many passes over the image, so that it
 /// can be stopped with all pixels nearly equally far.
 const PASSES: u32 = 32;
@@ -446,7 +446,7 @@ pub fn average<const C: usize>(
             watch.progress(before + work, total);
         };
 
-    let most_chunk = TOGETHER / per_pass.max(1) as usize;
+    let most_pixels = TOGETHER / per_pass.max(1) as usize;
     let mut sums = vec![OrderedSum::default(); grid.bands as usize];
     // Memory that is used again: new memory would take a third of the time of a few samples.
     let mut spare: Vec<PixelSums> = Vec::new();
@@ -458,14 +458,15 @@ pub fn average<const C: usize>(
             };
             let bands = part.bands_of(batch).into_iter();
             let mut bands: Vec<(u32, PixelSums)> = bands.map(&mut empty).collect();
+            let pixels: usize = bands.iter().map(|(_, sums)| sums.tallies.len()).sum();
+            let share = pixels / (TASKS_PER_THREAD * rayon::current_num_threads());
+            let size = most_pixels.min(share).max(LEAST_PIXELS);
             for pass in 0..passes {
                 if watch.should_stop() {
                     break;
                 }
                 bands.par_iter_mut().for_each(|(band, sums)| {
                     let first = pixels_of(*band).start;
-                    let share = sums.tallies.len() / LEAST_CHUNKS;
-                    let size = most_chunk.min(share).max(LEAST_CHUNK);
                     let moments = sums.moments.par_chunks_mut(C * size);
                     let chunks = moments.zip(sums.tallies.par_chunks_mut(size));
                     chunks.enumerate().for_each(|(chunk, (moments, tallies))| {
