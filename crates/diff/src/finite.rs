@@ -39,6 +39,17 @@ struct Place {
     difference: f64,
 }
 
+impl Place {
+    /// Adds what is seen there to a sample of the light and its derivative, which lacks the step.
+    fn add(&self, light: &Sample<3>, sum: &mut Sample<NUMBERS>) {
+        for (i, light) in light.numbers.into_iter().enumerate() {
+            sum.numbers[i] += light * self.value;
+            sum.numbers[DERIVATIVE + i] += light * self.difference;
+        }
+        sum.effort += light.effort;
+    }
+}
+
 impl Stencil {
     /// In a word.
     pub fn name(self) -> &'static str {
@@ -245,21 +256,16 @@ impl<'a> Differences<'a> {
                 light.clear();
                 take_light(runs, &mut light);
                 for (sum, light) in sums.iter_mut().zip(&light) {
-                    self.add(light, place, sum);
+                    place.add(light, sum);
                 }
             }
+            let differences = sums
+                .iter_mut()
+                .flat_map(|sum| &mut sum.numbers[DERIVATIVE..]);
+            differences.for_each(|difference| *difference /= self.step);
         };
         let part = Part::whole(tiles::grid(self.scene, options));
         tiles::average(self.scene, options, counts, None, &part, watch, take)
-    }
-
-    /// Adds what is seen at a place to a sample of the light and its derivative.
-    fn add(&self, light: &Sample<3>, place: &Place, sum: &mut Sample<NUMBERS>) {
-        for (i, light) in light.numbers.into_iter().enumerate() {
-            sum.numbers[i] += light * place.value;
-            sum.numbers[DERIVATIVE + i] += light * (place.difference / self.step);
-        }
-        sum.effort += light.effort;
     }
 }
 

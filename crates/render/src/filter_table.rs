@@ -115,13 +115,20 @@ impl FilterTable {
         if self.filter == Filter::Box {
             return self.ends[0] + u * (self.ends[1] - self.ends[0]);
         }
-        let bin = self.find(u);
-        self.place(bin as f64, u, [self.below[bin], self.inverse[bin]])
+        self.draw(u)[0]
     }
 
-    /// The bin in which a number draws a point.
+    /// [`Self::sample`], and what the filter at the point is to be multiplied by for its weight over the
+    /// density.
     #[inline]
-    pub fn find(&self, u: f64) -> usize {
+    pub fn draw(&self, u: f64) -> [f64; 2] {
+        let bin = self.find(u);
+        self.draw_in(bin as f64, u, [self.below[bin], self.inverse[bin]])
+    }
+
+    /// The bin in which a number draws a point: the last that starts there or before.
+    #[inline]
+    fn find(&self, u: f64) -> usize {
         // The number of bins is a power of two: halve what is left until it is one.
         let (mut bin, mut half) = (0, BINS / 2);
         while half > 0 {
@@ -131,17 +138,50 @@ impl FilterTable {
         bin
     }
 
-    /// Where in a bin, of which the sum of those below and its inverse are given, a number leads.
+    /// [`Self::draw`] in a bin, of which the sum of those below and its inverse are given.
     #[inline(always)]
-    pub fn place(&self, bin: f64, u: f64, [below, inverse]: [f64; 2]) -> f64 {
+    pub fn draw_in(&self, bin: f64, u: f64, [below, inverse]: [f64; 2]) -> [f64; 2] {
         let inside = (u - below) * inverse;
         let inside = if inside < 1.0 { inside } else { 1.0 };
-        self.ends[0] + (bin + inside) * self.bin()
+        let place = self.ends[0] + (bin + inside) * self.bin();
+        [place, self.bin_over_integral() * inverse]
     }
 
     /// Density of [`Self::sample`].
     pub fn pdf(&self, x: f64) -> f64 {
         let bin = (x - self.ends[0]) / self.bin();
         self.masses[(bin as usize).min(BINS - 1)] / self.bin()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A number at which bins begin draws a point of the last of them, which has mass.
+    #[test]
+    fn bins_have_their_first_number() {
+        let filters = [
+            Filter::Tent { radius: 1.0 },
+            Filter::Gaussian { stddev: 0.5 },
+            // Nothing in the outer half.
+            Filter::Mitchell { b: 0.0, c: 0.0 },
+            Filter::Lanczos { lobes: 3 },
+        ];
+        for filter in filters {
+            let radius = filter.radius();
+            for ends in [[-radius, radius], [-0.5, radius], [-0.3, 0.5]] {
+                let table = FilterTable::new(filter, ends);
+                for u in table.below.into_iter().filter(|&u| u < 1.0) {
+                    let last = table.below.iter().rposition(|&below| below == u);
+                    let expected = ends[0] + last.expect("one") as f64 * table.bin();
+                    let [place, factor] = table.draw(u);
+                    let what = format!("{filter:?} {ends:?}: {u} to {place}, {factor}");
+                    assert!((place - expected).abs() < 1e-12, "{what}");
+                    let weight = table.filter.eval(place) * factor;
+                    assert!(weight.is_finite(), "{what}");
+                }
+            }
+        }
     }
 }

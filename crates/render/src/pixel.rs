@@ -128,16 +128,11 @@ impl Support<'_> {
     /// A film point drawn from the filter's magnitude alone.
     #[inline]
     pub fn sample_by_filter(&self, u: [f64; 2]) -> DrawnPoint {
-        let place = self.sample(0.0, 0.0, u);
-        let weight = match self
-            .sides
-            .iter()
-            .all(|side| side.table.filter == Filter::Box)
-        {
-            true => 1.0,
-            false => self.weight(place) / self.pdf(0.0, place),
-        };
-        DrawnPoint { place, weight }
+        let [(x, of_x), (y, of_y)] = [0, 1].map(|axis| self.sides[axis].draw(u[axis]));
+        DrawnPoint {
+            place: [x, y],
+            weight: of_x * of_y,
+        }
     }
 
     /// Density of [`Support::sample`], per pixel area.
@@ -190,6 +185,17 @@ impl Side {
     #[inline]
     fn sample(&self, u: f64) -> f64 {
         self.centre + self.table.sample(u)
+    }
+
+    /// [`Side::sample`], with the normalised filter there over the density.
+    #[inline]
+    fn draw(&self, u: f64) -> (f64, f64) {
+        if self.table.filter == Filter::Box {
+            return (self.sample(u), 1.0);
+        }
+        let [distance, factor] = self.table.draw(u);
+        let weight = self.table.filter.eval(distance) * factor;
+        (self.centre + distance, weight)
     }
 
     /// Density of [`Side::sample`].

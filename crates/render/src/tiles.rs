@@ -209,7 +209,8 @@ impl<const C: usize> Run<C> {
         }
     }
 
-    /// Adds the numbers to those of a pixel, and forgets them, but for a group that is not complete.
+    /// Adds the numbers to those of a pixel, and forgets them. What is left of a group goes on: where
+    /// groups have several samples, a pass has one of each pixel.
     fn add_to(&mut self, moments: &mut [Moments]) {
         if self.count == 0 {
             return;
@@ -226,11 +227,8 @@ impl<const C: usize> Run<C> {
                 )),
             }
         }
-        *self = Self {
-            begun: self.begun,
-            sum: self.sum,
-            ..Self::default()
-        };
+        debug_assert_eq!(self.begun, 0);
+        *self = Self::default();
     }
 }
 
@@ -427,7 +425,7 @@ pub fn average<const C: usize>(
                     sampler.in_pixel(u64::from(pixel)),
                 );
                 while next < end {
-                    let numbers = next..end.min(next + (TOGETHER - waiting) as u32);
+                    let numbers = next..end.min(next.saturating_add((TOGETHER - waiting) as u32));
                     (next, waiting) = (numbers.end, waiting + numbers.len());
                     of.push((i, next == end));
                     runs.push(SampleRun {
@@ -564,8 +562,71 @@ impl Averages {
 
 #[cfg(test)]
 mod tests {
+    use capwalk_scene::SamplerKind;
+
     use super::*;
     use crate::options::Unwatched;
+
+    /// Averages of numbers that are no images, against sums over the samples of each pixel: however many
+    /// samples are taken together, and where they make groups that are larger than that, or incomplete.
+    #[test]
+    fn averages_are_those_of_the_samples() {
+        let mut scene = capwalk_scene::builtin::scene("leaf").expect("a built-in scene");
+        let cases = [
+            (SamplerKind::Independent, 1, [31, 5]),
+            (SamplerKind::Independent, 77, [3, 7]),
+            (SamplerKind::Sobol, 48, [26, 16]),
+            (SamplerKind::Sobol, 333, [9, 5]),
+            (SamplerKind::Sobol, 9001, [3, 2]),
+        ];
+        for (kind, spp, size) in cases {
+            (scene.film.size, scene.film.crop_size) = (size, size);
+            scene.settings.sampler = kind;
+            let options = RenderOptions::new(spp, 7);
+            let pixels = size[0] * size[1];
+            let uneven = (0..pixels).map(|pixel| pixel * 37 % (spp + 1));
+            for counts in [SampleCounts::Even, SampleCounts::Each(uneven.collect())] {
+                let number = |stream: &Stream| [stream.number(0), 3.0 + stream.number(1)];
+                let take = one_by_one(|_, stream| Sample {
+                    numbers: number(stream),
+                    ..Sample::default()
+                });
+                let grid = grid(&scene, &options);
+                let (part, watch) = (Part::whole(grid), &Unwatched);
+                let partial = average(&scene, &options, &counts, None, &part, watch, take);
+                let bands = partial.into_sums();
+                let found: Vec<&[Moments]> = (bands.iter())
+                    .flat_map(|band| band.moments.chunks_exact(2))
+                    .collect();
+                let sampler = Sampler::new(&scene.settings, options.seed, spp);
+                let group = sampler.group();
+                for (pixel, found) in (0..pixels).zip(found) {
+                    let mut expected = [Moments::default(); 2];
+                    for batch in 0..grid.batches {
+                        let samples = grid.samples(batch, counts.of(pixel, &options), group);
+                        let samples: Vec<[f64; 2]> = samples
+                            .map(|sample| number(&sampler.stream(u64::from(pixel), sample)))
+                            .collect();
+                        for of_group in samples.chunks(group as usize) {
+                            for (i, expected) in expected.iter_mut().enumerate() {
+                                let sum: f64 = of_group.iter().map(|numbers| numbers[i]).sum();
+                                expected.add(sum / of_group.len() as f64);
+                            }
+                        }
+                    }
+                    for (found, expected) in found.iter().zip(&expected) {
+                        let what = format!("{kind:?}, {spp}, {pixel}: {found:?}, {expected:?}");
+                        assert_eq!(found.count, expected.count, "{what}");
+                        let errors = [
+                            found.mean - expected.mean,
+                            found.sum_of_squares - expected.sum_of_squares,
+                        ];
+                        assert!(errors.iter().all(|error| error.abs() < 1e-9), "{what}");
+                    }
+                }
+            }
+        }
+    }
 
     /// What is no number that a file can hold.
     const BAD: [[f64; 3]; 3] = [

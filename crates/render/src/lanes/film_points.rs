@@ -110,14 +110,11 @@ impl Points {
 
     #[inline]
     fn set(&mut self, lane: usize, table: &FilterTable, u: f64) {
-        let bin = table.find(u);
-        let [below, inverse] = [table.below[bin], table.inverse[bin]];
-        self.distances[lane] = table.place(bin as f64, u, [below, inverse]);
-        self.factors[lane] = table.bin_over_integral() * inverse;
+        [self.distances[lane], self.factors[lane]] = table.draw(u);
     }
 }
 
-/// Draws points with one table: the bin of each is the last that starts at its random number or before.
+/// [`Points::set`] in all lanes, with one table.
 #[inline(always)]
 fn draw(table: &FilterTable, film: &Numbers, points: &mut Points) {
     let (mut bins, mut below) = ([0.0; LANES], [0.0; LANES]);
@@ -132,8 +129,8 @@ fn draw(table: &FilterTable, film: &Numbers, points: &mut Points) {
     }
     for lane in 0..LANES {
         let bin = [below[lane], inverse[lane]];
-        points.distances[lane] = table.place(bins[lane], film[lane], bin);
-        points.factors[lane] = table.bin_over_integral() * inverse[lane];
+        let [distance, factor] = table.draw_in(bins[lane], film[lane], bin);
+        (points.distances[lane], points.factors[lane]) = (distance, factor);
     }
 }
 

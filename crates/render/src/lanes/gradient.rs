@@ -15,7 +15,7 @@ use crate::lanes::scattered::{Arriving, Place};
 use crate::lanes::vectors::LANES;
 use crate::lanes::{LaneTracer, Paths};
 use crate::path_adjoint::PathAdjoint;
-use crate::tiles::{Sample, SampleRun};
+use crate::tiles::{Sample, SampleRun, count_samples};
 
 /// Takes samples of some runs after others, and differentiates their light.
 pub struct Differentiator<'a> {
@@ -49,6 +49,7 @@ impl<'a> Differentiator<'a> {
             steps: Some(Steps::default()),
             ..Paths::new(first, &tracer.lights)
         });
+        debug_assert_eq!(covectors.len(), count_samples(runs));
         let mut rest = RestOfRuns::new(runs);
         for (chunk, covectors) in covectors.chunks(LANES).enumerate() {
             let weights = tracer.take_some(&mut rest, paths, taken);
