@@ -251,8 +251,9 @@ def test_a_blob_is_found_with_a_smaller_loss_if_the_state_is_transferred() -> No
         loss = np.square(np.stack(images) - targets).mean()
         return float(loss), float(np.percentile(shapes_of(values[name], faces), 5))
 
-    # Seeds; the state of wrong vertices is not much worse, which takes a minute to see.
-    ways = {"none": 4, "new Adam": 4, "transfer": 4}
+    # Seeds: what a new state loses is 1.8 standard deviations of one of them. The state of wrong vertices
+    # is not much worse, which takes a minute to see.
+    ways = {"none": 3, "new Adam": 8, "transfer": 8}
     if "CAPWALK_THOROUGH" in os.environ:
         ways.update({"wrong vertices": 14, "transfer": 14})
     results = {way: np.array([found(seed, way) for seed in range(seeds)]) for way, seeds in ways.items()}

@@ -10,7 +10,7 @@ use capwalk_boundary::refuse::{
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Stream};
 use capwalk_math::Rgb;
 use capwalk_render::tiles::{
-    self, Averages, PixelSums, Sample, SampleCounts, SampleRun, count_samples,
+    self, Averages, EFFORT_OF_DERIVATIVE, PixelSums, Sample, SampleCounts, SampleRun, count_samples,
 };
 use capwalk_render::{
     Differentiator, Grid, LaneTracer, MotionFacts, Part, PartError, Partial, PathAdjoint,
@@ -211,7 +211,7 @@ impl<'a> GradientWork<'a> {
                 ..Sample::default()
             }
         };
-        let take = tiles::one_by_one(sample);
+        let take = tiles::one_by_one(EFFORT_OF_DERIVATIVE, sample);
         tiles::average(scene, sampling, counts, work, part, watch, take)
     }
 

@@ -146,7 +146,7 @@ mod tests {
     use super::*;
     use crate::grid::Part;
     use crate::options::Unwatched;
-    use crate::tiles::{self, Sample};
+    use crate::tiles::{self, EFFORT_OF_DERIVATIVE, Sample};
 
     /// Samples of rare events, rarer from pixel to pixel: their mean is 1.
     fn event(pixel: [u32; 2], stream: &Stream) -> Sample<3> {
@@ -172,7 +172,7 @@ mod tests {
     fn averages(scene: &Scene, options: &RenderOptions) -> (SampleCounts, Averages) {
         let average = |options: &RenderOptions, counts: &SampleCounts| {
             let part = Part::whole(tiles::grid(scene, options));
-            let take = tiles::one_by_one(event);
+            let take = tiles::one_by_one(EFFORT_OF_DERIVATIVE, event);
             tiles::average(scene, options, counts, None, &part, &Unwatched, take)
         };
         let known = OnceLock::new();

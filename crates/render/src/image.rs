@@ -16,7 +16,7 @@ use crate::partial::Partial;
 use crate::plan::Plan;
 use crate::prepared::PreparedScene;
 use crate::scene_eval::Primal;
-use crate::tiles::{self, Averages, PixelSums, Sample, SampleCounts, TakeSamples};
+use crate::tiles::{self, Averages, EFFORT_OF_LIGHT, PixelSums, Sample, SampleCounts, TakeSamples};
 use crate::tracer::Tracer;
 
 /// The image of a scene, with its standard error.
@@ -36,7 +36,7 @@ pub fn take_light<'a>(
         return Box::new(move |runs, taken| lanes.take(runs, taken));
     }
     let tracer = Tracer::primal(prepared).with_plan(plan);
-    Box::new(tiles::one_by_one(move |pixel, stream| {
+    Box::new(tiles::one_by_one(EFFORT_OF_LIGHT, move |pixel, stream| {
         let draw = Draw {
             stream,
             counts: &Counts::default(),

@@ -47,7 +47,7 @@ use crate::pixel::Supports;
 use crate::plan::{BSDF_NUMBERS, EMITTER_NUMBERS, LENS, LightSampling, Plan};
 use crate::prepared::PreparedScene;
 use crate::radiance::{RR_MAX, RR_MIN};
-use crate::tiles::{Sample, SampleRun};
+use crate::tiles::{EFFORT_OF_LIGHT, Sample, SampleRun};
 use alike::{Alike, FindAlike};
 use film_points::{DrawAlong, RestOfRuns};
 pub use gradient::Differentiator;
@@ -60,9 +60,6 @@ use rays::{ALL_BEHIND, LaneRays, Meets};
 use scene::{LaneScene, NOTHING, asked_slots};
 use step::{Brdf, Vertices};
 use vectors::{LANES, Numbers, Vectors, lanes_of};
-
-/// The effort of a sample besides its rays.
-const EFFORT_OF_LANE: u64 = 10;
 
 /// Takes samples of the pixels of a scene, sixteen at a time.
 pub struct LaneTracer<'a> {
@@ -278,7 +275,7 @@ impl<'a> LaneTracer<'a> {
         self.reflect(paths, mask);
         taken.extend((0..count).map(|lane| Sample {
             numbers: (paths.light.colour(lane) * weights[lane]).to_array(),
-            effort: EFFORT_OF_LANE + self.meets.effort(paths.rays[lane]),
+            effort: EFFORT_OF_LIGHT + self.meets.effort(paths.rays[lane]),
             ..Sample::default()
         }));
         weights

@@ -57,8 +57,9 @@ pub fn count_samples(runs: &[SampleRun]) -> usize {
 /// Appends samples of an image of light, in order.
 pub type TakeSamples<'a> = dyn Fn(&[SampleRun], &mut Vec<Sample<3>>) + Sync + 'a;
 
-/// Takes samples one after the other, and counts their effort.
+/// Takes samples one after the other, and counts their effort: so much, and that of their queries.
 pub fn one_by_one<const C: usize>(
+    besides_queries: u64,
     sample: impl Fn([u32; 2], &Stream) -> Sample<C> + Sync,
 ) -> impl Fn(&[SampleRun], &mut Vec<Sample<C>>) + Sync {
     move |runs, taken| {
@@ -67,7 +68,7 @@ pub fn one_by_one<const C: usize>(
                 let before = effort();
                 let sample = sample(run.pixel, &run.streams.stream(number));
                 Sample {
-                    effort: EFFORT_OF_SAMPLE + effort().wrapping_sub(before),
+                    effort: besides_queries + effort().wrapping_sub(before),
                     ..sample
                 }
             }));
@@ -269,8 +270,10 @@ const MANY: usize = 4096;
 /// precision, and the sums of squares of larger ones overflow.
 const LARGEST_NUMBER: f64 = f32::MAX as f64;
 
-/// Effort of a sample besides its queries: shading, sampling and their derivatives.
-pub const EFFORT_OF_SAMPLE: u64 = 100;
+/// Effort of a sample of an image besides its queries: shading and sampling.
+pub const EFFORT_OF_LIGHT: u64 = 10;
+/// The same with their derivatives.
+pub const EFFORT_OF_DERIVATIVE: u64 = 100;
 
 /// Samples that are taken together: so many that what is set up for them costs little.
 const TOGETHER: usize = 256;
@@ -587,7 +590,7 @@ mod tests {
             let uneven = (0..pixels).map(|pixel| pixel * 37 % (spp + 1));
             for counts in [SampleCounts::Even, SampleCounts::Each(uneven.collect())] {
                 let number = |stream: &Stream| [stream.number(0), 3.0 + stream.number(1)];
-                let take = one_by_one(|_, stream| Sample {
+                let take = one_by_one(0, |_, stream| Sample {
                     numbers: number(stream),
                     ..Sample::default()
                 });
@@ -657,7 +660,7 @@ mod tests {
             None,
             &part,
             &Unwatched,
-            one_by_one(|_, stream| Sample {
+            one_by_one(0, |_, stream| Sample {
                 numbers: match bad(stream) {
                     true => BAD[(10.0 * stream.number(1)) as usize % BAD.len()],
                     false => [1.0; 3],

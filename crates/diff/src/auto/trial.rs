@@ -1,7 +1,7 @@
 //! A method that a pilot tried, and how trials are compared.
 
 use capwalk_boundary::Method;
-use capwalk_render::tiles::EFFORT_OF_SAMPLE;
+use capwalk_render::tiles::EFFORT_OF_DERIVATIVE;
 
 /// Samples of each pixel in a trial: variances are those within pixels.
 pub const PER_PIXEL: u32 = 4;
@@ -57,7 +57,7 @@ impl Trial {
             samples: found.len() as u64 * u64::from(PER_PIXEL),
             variance: variance / count,
             whole_variance: whole_variance / count,
-            effort: EFFORT_OF_SAMPLE as f64 + spent as f64 / (count * f64::from(PER_PIXEL)),
+            effort: EFFORT_OF_DERIVATIVE as f64 + spent as f64 / (count * f64::from(PER_PIXEL)),
         }
     }
 
