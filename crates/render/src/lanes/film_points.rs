@@ -2,49 +2,14 @@
 //!
 //! [`Support::sample_by_filter`]: crate::pixel::Support::sample_by_filter
 
-use std::ops::Range;
 use std::sync::Arc;
 
 use capwalk_geometry::simd::{Computation, Simd};
-use capwalk_math::elementary::exp;
 use capwalk_scene::Filter;
 
 use crate::filter_table::FilterTable;
 use crate::lanes::vectors::{LANES, Numbers};
 use crate::pixel::Side;
-use crate::tiles::SampleRun;
-
-/// Samples that are not taken yet.
-pub struct RestOfRuns<'a> {
-    runs: &'a [SampleRun],
-    /// How many of the first run have been taken.
-    taken: u32,
-}
-
-impl<'a> RestOfRuns<'a> {
-    /// All of them.
-    pub fn new(runs: &'a [SampleRun]) -> Self {
-        Self { runs, taken: 0 }
-    }
-
-    /// True if there are none.
-    pub fn is_empty(&self) -> bool {
-        self.runs.is_empty()
-    }
-
-    /// Takes the next ones of a run, at most so many.
-    pub fn next(&mut self, most: usize) -> Option<(&'a SampleRun, Range<u32>)> {
-        let (run, others) = self.runs.split_first()?;
-        let Range { start, end } = run.numbers;
-        let first = start + self.taken;
-        let numbers = first..end.min(first.saturating_add(most as u32));
-        self.taken += numbers.len() as u32;
-        if numbers.end == end {
-            (self.runs, self.taken) = (others, 0);
-        }
-        Some((run, numbers))
-    }
-}
 
 /// Draws the points along one axis, from random numbers.
 pub struct DrawAlong<'a> {
@@ -82,7 +47,7 @@ impl Computation for DrawAlong<'_> {
         for (lane, side) in sides.iter().enumerate() {
             film[lane] = side.centre + points.distances[lane];
         }
-        weigh(table.filter, &mut points.distances);
+        table.filter.eval_each(&mut points.distances);
         multiply(weights, &points);
     }
 }
@@ -131,30 +96,6 @@ fn draw(table: &FilterTable, film: &Numbers, points: &mut Points) {
         let bin = [below[lane], inverse[lane]];
         let [distance, factor] = table.draw_in(bins[lane], film[lane], bin);
         (points.distances[lane], points.factors[lane]) = (distance, factor);
-    }
-}
-
-/// From distances to the centres of pixels to the filter there.
-#[inline(always)]
-fn weigh(filter: Filter, distances: &mut Numbers) {
-    match filter {
-        Filter::Gaussian { stddev } => {
-            let (scale, least) = (-0.5 / (stddev * stddev), (-8.0_f64).exp());
-            for x in distances {
-                *x = exp(*x * *x * scale) - least;
-            }
-        }
-        Filter::Tent { radius } => {
-            let scale = 1.0 / radius;
-            for x in distances {
-                *x = 1.0 - x.abs() * scale;
-            }
-        }
-        _ => {
-            for x in distances {
-                *x = filter.eval(*x);
-            }
-        }
     }
 }
 

@@ -9,8 +9,8 @@
 
 use capwalk_math::Rgb;
 
-use crate::lanes::film_points::RestOfRuns;
 use crate::lanes::kept::{Step, Steps};
+use crate::lanes::rest_of_runs::RestOfRuns;
 use crate::lanes::scattered::{Arriving, Place};
 use crate::lanes::vectors::LANES;
 use crate::lanes::{LaneTracer, Paths};
