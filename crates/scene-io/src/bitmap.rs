@@ -89,7 +89,7 @@ pub(crate) fn read(
         Channels::Colour if image.color().has_color() => 3,
         Channels::Colour | Channels::One(_) => 1,
     };
-    let mut data: Vec<f64> = match (&image, channels) {
+    let data = match (&image, channels) {
         (DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_), _) => {
             let rgb = image.into_rgb32f().into_raw();
             return finish(width, height, 3, doubles(&rgb, |x| x.into())?);
@@ -100,7 +100,8 @@ pub(crate) fn read(
                 (_, 1) => image.into_luma8().into_raw(),
                 _ => image.into_rgb8().into_raw(),
             };
-            doubles(&bytes, |x| f64::from(x) / 255.0)?
+            let decoded = decoded(u8::MAX.into(), raw);
+            doubles(&bytes, |x| decoded[usize::from(x)])?
         }
         _ => {
             let words = match (wanted, channels) {
@@ -108,13 +109,21 @@ pub(crate) fn read(
                 (_, 1) => image.into_luma16().into_raw(),
                 _ => image.into_rgb16().into_raw(),
             };
-            doubles(&words, |x| f64::from(x) / 65535.0)?
+            let decoded = decoded(u16::MAX, raw);
+            doubles(&words, |x| decoded[usize::from(x)])?
         }
     };
-    if !raw {
-        data.iter_mut().for_each(|x| *x = linear_of_srgb(*x));
-    }
     finish(width, height, channels, data)
+}
+
+/// What whole numbers from 0 to the `largest` stand for: fractions of it, from sRGB to linear light
+/// unless they are `raw`. An image has each of them many times.
+fn decoded(largest: u16, raw: bool) -> Vec<f64> {
+    let fractions = (0..=largest).map(|x| f64::from(x) / f64::from(largest));
+    match raw {
+        true => fractions.collect(),
+        false => fractions.map(linear_of_srgb).collect(),
+    }
 }
 
 /// One channel of four.

@@ -218,13 +218,15 @@ mod tests {
     fn old_versions_warn() {
         let text = r#"<scene version="0.5.0">
 <integrator type="path"><integer name="maxDepth" value="3"/></integrator>
-<sensor type="perspective"><film type="ldrfilm"><float name="gamma" value="2"/></film></sensor>
+<sensor type="perspective"><film type="ldrfilm"><float name="gamma" value="2"/>
+<boolean name="highQualityEdges" value="true"/></film></sensor>
 <emitter type="constant"/></scene>"#;
         assert_eq!(
             warnings(text),
             [
                 "scene.xml:1:17: the file is for Mitsuba 0.5.0; it is read as one for version 3 \
-                 (gamma left out, ldrfilm is now hdrfilm, maxDepth is now max_depth)"
+                 (gamma left out, highQualityEdges is now high_quality_edges, high_quality_edges \
+                 is now sample_border, ldrfilm is now hdrfilm, maxDepth is now max_depth)"
             ]
         );
     }

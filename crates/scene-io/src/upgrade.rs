@@ -1,6 +1,6 @@
 //! Files for Mitsuba 0.x and 1.x, brought to the names of 2 and 3: what
 //! Mitsuba's loader does for versions below 2.0, and what it leaves to others
-//! (`ldrfilm`, `<lookAt>`, filters and `gamma` of bitmaps, `extEta` of metals).
+//! (`ldrfilm`, `highQualityEdges`, `<lookAt>`, filters and `gamma` of bitmaps, `extEta` of metals).
 
 use crate::texts::Span;
 use crate::xml::{Attribute, Element};
@@ -76,18 +76,16 @@ fn element(it: &mut Element, changes: &mut Vec<String>) {
     let plugin = it.attribute("type").map(|plugin| plugin.value.clone());
     match (it.tag.as_str(), plugin.as_deref()) {
         ("bsdf", Some("diffuse")) => {
-            for child in &mut it.children {
-                let name = child.attributes.iter_mut().find(|a| a.name == "name");
-                if let Some(name) = name.filter(|name| name.value == "diffuse_reflectance") {
-                    rename(&mut name.value, &|_| "reflectance".into(), changes);
-                }
-            }
+            rename_property(it, "diffuse_reflectance", "reflectance", changes);
         }
-        ("film", Some("ldrfilm")) => {
-            let plugin = it.attributes.iter_mut().find(|a| a.name == "type");
-            let plugin = plugin.expect("its value has been looked at");
-            rename(&mut plugin.value, &|_| "hdrfilm".into(), changes);
-            leave_out(it, |name, _| OF_LDRFILM.contains(&name), changes);
+        ("film", plugin) => {
+            if plugin == Some("ldrfilm") {
+                let plugin = it.attributes.iter_mut().find(|a| a.name == "type");
+                let plugin = plugin.expect("its value has been looked at");
+                rename(&mut plugin.value, &|_| "hdrfilm".into(), changes);
+                leave_out(it, |name, _| OF_LDRFILM.contains(&name), changes);
+            }
+            rename_property(it, "high_quality_edges", "sample_border", changes);
         }
         ("bsdf", Some("conductor" | "roughconductor")) => {
             leave_out(
@@ -103,6 +101,16 @@ fn element(it: &mut Element, changes: &mut Vec<String>) {
             uv_transform(it, changes);
         }
         _ => {}
+    }
+}
+
+/// Renames the properties of an element that have a name.
+fn rename_property(it: &mut Element, old: &str, new: &str, changes: &mut Vec<String>) {
+    for child in &mut it.children {
+        let names = child.attributes.iter_mut().filter(|a| a.name == "name");
+        for name in names.filter(|name| name.value == old) {
+            rename(&mut name.value, &|_| new.into(), changes);
+        }
     }
 }
 

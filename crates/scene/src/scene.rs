@@ -239,16 +239,7 @@ impl Scene {
     }
 
     fn check_range(&self, id: TextureId, quantity: Quantity) -> Result<(), SceneError> {
-        let texture = self.texture(id);
-        for part in texture.parts() {
-            for index in part.first..part.first + part.count {
-                let value = texture.texel(index);
-                if !value.to_array().iter().all(|&x| quantity.allows(x)) {
-                    return Err(texture.bad_number(part, index, quantity.expected()));
-                }
-            }
-        }
-        Ok(())
+        (self.texture(id)).check_numbers(|x| quantity.allows(x), quantity.expected())
     }
 
     /// A material and all that it is made of.

@@ -249,13 +249,24 @@ impl Texture {
             | Pattern::Environment => self.texels(),
         };
         self.check_length(texels)?;
+        self.check_numbers(f64::is_finite, "finite numbers")
+    }
+
+    /// An error for the first texel with a number that is not allowed.
+    pub(crate) fn check_numbers(
+        &self,
+        allows: impl Fn(f64) -> bool,
+        expected: &'static str,
+    ) -> Result<(), SceneError> {
+        // Mostly all are, which is known soonest without looking for texels.
+        if self.data.iter().fold(true, |all, &x| all & allows(x)) {
+            return Ok(());
+        }
         for part in self.parts() {
             for index in part.first..part.first + part.count {
-                let value = self.texel(index);
-                if value.is_finite() {
-                    continue;
+                if !self.texel(index).to_array().into_iter().all(&allows) {
+                    return Err(self.bad_number(part, index, expected));
                 }
-                return Err(self.bad_number(part, index, "finite numbers"));
             }
         }
         Ok(())

@@ -83,8 +83,10 @@ pub fn divided_sphere_uvs(division: u32) -> FaceUvs {
     static LAST: LastDivision<FaceUvs> = LastDivision::none();
     let uvs = LAST.get(division, || {
         let mesh = turned_icosphere(division);
-        let faces = (0..mesh.faces.len()).map(|face| unwrapped(mesh.corners(face).map(spherical)));
-        faces.collect()
+        let vertices: Vec<_> = mesh.positions.iter().map(|&p| spherical(p)).collect();
+        let faces = mesh.faces.iter();
+        let corners = faces.map(|face| face.map(|vertex| vertices[vertex as usize]));
+        corners.map(unwrapped).collect()
     });
     FaceUvs::clone(&uvs)
 }

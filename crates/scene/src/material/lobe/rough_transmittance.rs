@@ -1,5 +1,7 @@
 //! How much light passes a rough clear surface, as a table.
 
+use std::sync::OnceLock;
+
 use capwalk_math::Real;
 use capwalk_math::Vec3;
 
@@ -16,62 +18,79 @@ pub const NODES: usize = 64;
 /// passes it from outside by the cosine of the direction, and the fraction of
 /// diffuse light from inside that it throws back, to 1e-5 (for `eta` below 1,
 /// to 1 % of themselves at grazing angles). Both with derivatives by roughness
-/// and refractive index.
+/// and refractive index, which are computed when they are first asked for.
 ///
-/// Making one takes about a tenth of a second: make it when the material
-/// changes, not at every hit.
+/// Making one takes about 20 ms, and derivatives by each of the two take
+/// 40 ms: make it when the material changes, not at every hit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RoughTransmittance {
     distribution: Distribution,
     alpha: f64,
     eta: f64,
-    transmittance: [Entry; NODES],
-    internal_reflectance: Entry,
+    numbers: Numbers,
+    by_alpha: OnceLock<Numbers>,
+    by_eta: OnceLock<Numbers>,
 }
 
-/// A number and its derivatives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Entry {
-    value: f64,
-    by_alpha: f64,
-    by_eta: f64,
+/// The numbers of a table, or their derivatives.
+#[derive(Clone, Debug, PartialEq)]
+struct Numbers {
+    transmittance: [f64; NODES],
+    internal_reflectance: f64,
 }
+
+impl Numbers {
+    fn new(distribution: Distribution, alpha: f64, eta: f64) -> Self {
+        let facets = VisibleFacets::new(distribution, alpha);
+        Self {
+            transmittance: transmittance(&facets, eta),
+            internal_reflectance: internal_reflectance(&facets, eta),
+        }
+    }
+
+    /// Their derivatives at `x`, which stands for roughness or index.
+    fn derivatives(at: impl Fn(f64) -> Self, x: f64, step: f64) -> Self {
+        let [above, below] = [at(x + step), at(x - step)];
+        let slope = |above: f64, below: f64| (above - below) / (2.0 * step);
+        Self {
+            transmittance: std::array::from_fn(|node| {
+                slope(above.transmittance[node], below.transmittance[node])
+            }),
+            internal_reflectance: slope(above.internal_reflectance, below.internal_reflectance),
+        }
+    }
+}
+
+/// Of roughness, and of the index's distance from 1, for derivatives; the error is of the order of its
+/// square.
+const STEP: f64 = 1e-3;
 
 impl RoughTransmittance {
     /// The table for a coat of the given roughness, whose refractive index
     /// relative to the outside is `eta`, not 1.
     pub fn new(distribution: Distribution, alpha: f64, eta: f64) -> Self {
-        // Relative; the error is of the order of its square.
-        const STEP: f64 = 1e-3;
-        let (alpha_step, eta_step) = (STEP * alpha, STEP * (eta - 1.0));
-        let at = |alpha: f64, eta: f64| {
-            let facets = VisibleFacets::new(distribution, alpha);
-            (
-                transmittance(&facets, eta),
-                internal_reflectance(&facets, eta),
-            )
-        };
-        let middle = at(alpha, eta);
-        let by_alpha = [at(alpha + alpha_step, eta), at(alpha - alpha_step, eta)];
-        let by_eta = [at(alpha, eta + eta_step), at(alpha, eta - eta_step)];
-        let derivative = |[above, below]: [f64; 2], step: f64| (above - below) / (2.0 * step);
-        let transmittance = std::array::from_fn(|i| Entry {
-            value: middle.0[i],
-            by_alpha: derivative([by_alpha[0].0[i], by_alpha[1].0[i]], alpha_step),
-            by_eta: derivative([by_eta[0].0[i], by_eta[1].0[i]], eta_step),
-        });
-        let internal_reflectance = Entry {
-            value: middle.1,
-            by_alpha: derivative([by_alpha[0].1, by_alpha[1].1], alpha_step),
-            by_eta: derivative([by_eta[0].1, by_eta[1].1], eta_step),
-        };
         Self {
             distribution,
             alpha,
             eta,
-            transmittance,
-            internal_reflectance,
+            numbers: Numbers::new(distribution, alpha, eta),
+            by_alpha: OnceLock::new(),
+            by_eta: OnceLock::new(),
         }
+    }
+
+    fn by_alpha(&self) -> &Numbers {
+        self.by_alpha.get_or_init(|| {
+            let at = |alpha| Numbers::new(self.distribution, alpha, self.eta);
+            Numbers::derivatives(at, self.alpha, STEP * self.alpha)
+        })
+    }
+
+    fn by_eta(&self) -> &Numbers {
+        self.by_eta.get_or_init(|| {
+            let at = |eta| Numbers::new(self.distribution, self.alpha, eta);
+            Numbers::derivatives(at, self.eta, STEP * (self.eta - 1.0))
+        })
     }
 
     /// True if it was made for these numbers.
@@ -80,8 +99,8 @@ impl RoughTransmittance {
     }
 
     /// The fraction that passes from outside, at cosines from 0 to 1 in equal steps.
-    pub fn nodes(&self) -> impl Iterator<Item = f64> {
-        self.transmittance.iter().map(|entry| entry.value)
+    pub fn nodes(&self) -> &[f64; NODES] {
+        &self.numbers.transmittance
     }
 
     /// The roughness that it was made for.
@@ -101,8 +120,8 @@ impl RoughTransmittance {
     pub fn transmittance<R: Real>(&self, cos: R, alpha: R, eta: R) -> R {
         let place = cos * R::constant((NODES - 1) as f64);
         let index = (place.value() as usize).min(NODES - 2);
-        let below = self.entry(self.transmittance[index], alpha, eta);
-        let above = self.entry(self.transmittance[index + 1], alpha, eta);
+        let [below, above] = [index, index + 1]
+            .map(|node| self.number(|numbers| numbers.transmittance[node], alpha, eta));
         local::lerp(below, above, place - R::constant(index as f64))
     }
 
@@ -111,21 +130,28 @@ impl RoughTransmittance {
     pub fn passes(&self, cos: f64) -> f64 {
         let place = cos * (NODES - 1) as f64;
         let index = (place as usize).min(NODES - 2);
-        let [below, above] = [index, index + 1].map(|node| self.transmittance[node].value);
+        let [below, above] = [index, index + 1].map(|node| self.numbers.transmittance[node]);
         local::lerp(below, above, place - index as f64)
     }
 
     /// Fraction of diffuse light from inside that does not get out.
     #[inline]
     pub fn internal_reflectance<R: Real>(&self, alpha: R, eta: R) -> R {
-        self.entry(self.internal_reflectance, alpha, eta)
+        self.number(|numbers| numbers.internal_reflectance, alpha, eta)
     }
 
+    /// One of the numbers, with its derivatives.
     #[inline]
-    fn entry<R: Real>(&self, entry: Entry, alpha: R, eta: R) -> R {
-        R::constant(entry.value)
-            + (alpha - R::constant(self.alpha)) * R::constant(entry.by_alpha)
-            + (eta - R::constant(self.eta)) * R::constant(entry.by_eta)
+    fn number<R: Real>(&self, of: impl Fn(&Numbers) -> f64, alpha: R, eta: R) -> R {
+        let slope = |by: R, slopes: fn(&Self) -> &Numbers| match by.is_constant() {
+            true => 0.0,
+            false => of(slopes(self)),
+        };
+        let slopes = [
+            (alpha, slope(alpha, Self::by_alpha)),
+            (eta, slope(eta, Self::by_eta)),
+        ];
+        R::chain(of(&self.numbers), slopes)
     }
 }
 

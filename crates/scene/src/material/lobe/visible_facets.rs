@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use capwalk_math::Vec3;
+use capwalk_math::elementary::{exp, sin_cos};
 use capwalk_math::quadrature::gauss_legendre;
 
 use super::microfacets::MIN_ALPHA;
@@ -68,7 +69,8 @@ impl VisibleFacets {
         along_ends.sort_by(f64::total_cmp);
         let mut sum = 0.0;
         for (a, along_weight) in self.nodes(&along_ends) {
-            let s = self.slope(a);
+            let along = self.place(a);
+            let s = along.slope();
             let facing = cos - alpha * s * sin; // wi · m / m.z
             // The same across: 1 + alpha² (s² + t²) where the integrand bends.
             let mut bends = vec![2.0 * facing / cos];
@@ -86,9 +88,7 @@ impl VisibleFacets {
             across_ends.extend(bends.filter(|b| *b < last));
             across_ends.sort_by(f64::total_cmp);
             for (b, across_weight) in self.nodes(&across_ends) {
-                let t = self.slope_across(s, b);
-                let m = Vec3::new(-alpha * s, -alpha * t, 1.0).normalized();
-                let density = self.density(a, b);
+                let (m, density) = self.facet(along, self.place(b));
                 sum += f(wi, m) * facing * density * along_weight * across_weight;
             }
         }
@@ -113,12 +113,13 @@ impl VisibleFacets {
         }
     }
 
-    /// The slope at the coordinate `a`.
-    fn slope(&self, a: f64) -> f64 {
-        match self.microfacets.distribution {
-            Distribution::Beckmann => a,
-            Distribution::Ggx => a.tan(),
-        }
+    /// What is at a coordinate.
+    fn place(&self, coordinate: f64) -> Place {
+        let [sin, cos] = match self.microfacets.distribution {
+            Distribution::Beckmann => [coordinate, 1.0],
+            Distribution::Ggx => sin_cos(coordinate).into(),
+        };
+        Place { sin, cos }
     }
 
     /// The coordinate `b` of a slope across, where the one along is `s`.
@@ -130,20 +131,34 @@ impl VisibleFacets {
         }
     }
 
-    /// The slope across at the coordinate `b`.
-    fn slope_across(&self, s: f64, b: f64) -> f64 {
-        match self.microfacets.distribution {
-            Distribution::Beckmann => b,
-            Distribution::Ggx => 1.0_f64.hypot(s) * b.tan(),
-        }
+    /// The normal of a facet, and the density of slopes per `da db`.
+    #[inline(always)]
+    fn facet(&self, along: Place, across: Place) -> (Vec3, f64) {
+        let alpha = self.microfacets.alpha_u;
+        let normal = Vec3::new(
+            -alpha * along.sin * across.cos,
+            -alpha * across.sin,
+            along.cos * across.cos,
+        );
+        let density = match self.microfacets.distribution {
+            Distribution::Beckmann => exp(-along.sin * along.sin - across.sin * across.sin),
+            Distribution::Ggx => along.cos * across.cos * across.cos,
+        };
+        (normal.normalized(), density / PI)
     }
+}
 
-    /// Density of slopes per `da db`.
-    fn density(&self, a: f64, b: f64) -> f64 {
-        match self.microfacets.distribution {
-            Distribution::Beckmann => (-a * a - b * b).exp() / PI,
-            Distribution::Ggx => a.cos() * b.cos() * b.cos() / PI,
-        }
+/// A coordinate: for GGX its sine and cosine, for Beckmann itself, and 1.
+#[derive(Clone, Copy)]
+struct Place {
+    sin: f64,
+    cos: f64,
+}
+
+impl Place {
+    /// The slope along the view.
+    fn slope(self) -> f64 {
+        self.sin / self.cos
     }
 }
 
