@@ -4,7 +4,7 @@ use capwalk_boundary::Streams;
 use capwalk_geometry::simd::{Computation, Simd};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::Texture;
-use capwalk_scene::emitter::{ChosenCell, EnvironmentTable, MapPlace};
+use capwalk_scene::emitter::{EnvironmentTable, MapPlace, mean};
 
 use crate::lanes::lit::{Lit, SkyPoint};
 use crate::lanes::vectors::{LANES, Vectors, lanes_of};
@@ -20,13 +20,28 @@ pub struct Sky<'a> {
 }
 
 impl Sky<'_> {
+    /// What is seen at the places of some lanes. All texels are read before any is used: maps are
+    /// larger than caches, and so lanes wait for memory together.
     #[inline(always)]
-    fn point(&self, place: MapPlace<f64>) -> SkyPoint {
-        let texel = |index| self.texels.texel(index);
-        SkyPoint {
-            radiance: self.table.map().at(&place, texel) * self.scale,
-            pdf: map_pdf(self.table, &place),
-            place,
+    fn see(
+        &self,
+        places: &[MapPlace<f64>; LANES],
+        lanes: u32,
+        mut seen: impl FnMut(usize, SkyPoint),
+    ) {
+        let mut around = [([Rgb::zero(); 4], [0.0; 2]); LANES];
+        for lane in lanes_of(lanes) {
+            let (corners, along) = self.table.map().corners(&places[lane]);
+            around[lane] = (corners.map(|index| self.texels.texel(index)), along);
+        }
+        for lane in lanes_of(lanes) {
+            let ((texels, along), place) = (around[lane], places[lane]);
+            let point = SkyPoint {
+                radiance: mean(texels, along) * self.scale,
+                pdf: map_pdf(self.table, &place),
+                place,
+            };
+            seen(lane, point);
         }
     }
 }
@@ -55,32 +70,24 @@ impl Computation for DrawSky<'_> {
             lit,
         } = self;
         let u = streams.pairs(first, lanes);
-        let mut cells = [ChosenCell::default(); LANES];
-        let mut uniform = 0;
-        for lane in lanes_of(lanes) {
-            match sky.table.is_black() || u[0][lane] < UNIFORM_SKY {
-                true => uniform |= 1 << lane,
-                false => {
-                    let rest = (u[0][lane] - UNIFORM_SKY) / (1.0 - UNIFORM_SKY);
-                    cells[lane] = sky.table.choose([rest, u[1][lane]]);
-                }
-            }
+        let is_uniform = |&lane: &usize| sky.table.is_black() || u[0][lane] < UNIFORM_SKY;
+        let by_table = lanes_of(lanes).filter(|lane| !is_uniform(lane));
+        let rest = |lane: usize| (u[0][lane] - UNIFORM_SKY) / (1.0 - UNIFORM_SKY);
+        let cells: [_; LANES] = sky.table.choose(|lane| [rest(lane), u[1][lane]], by_table);
+        let mut directions = [Vec3::zero(); LANES];
+        let mut places = [MapPlace::default(); LANES];
+        for (lane, cell) in cells.iter().enumerate() {
+            (directions[lane], places[lane]) = sky.table.within(cell);
         }
-        let mut drawn = [(Vec3::zero(), MapPlace::default()); LANES];
-        for (drawn, cell) in drawn.iter_mut().zip(&cells) {
-            *drawn = sky.table.within(cell);
+        for lane in lanes_of(lanes).filter(is_uniform) {
+            (directions[lane], places[lane]) = sample_map(sky.table, [u[0][lane], u[1][lane]]);
         }
-        for lane in lanes_of(lanes) {
-            if uniform >> lane & 1 == 1 {
-                drawn[lane] = sample_map(sky.table, [u[0][lane], u[1][lane]]);
-            }
-            let (direction, place) = drawn[lane];
-            let point = sky.point(place);
-            lit.direction.set(lane, direction);
+        sky.see(&places, lanes, |lane, point| {
+            lit.direction.set(lane, directions[lane]);
             lit.range[1][lane] = f64::INFINITY;
             lit.inverse_density[lane] /= point.pdf;
             lit.sky[lane] = point;
-        }
+        });
         lit.mask |= lanes;
     }
 }
@@ -107,8 +114,6 @@ impl Computation for SeeSky<'_> {
         for (lane, place) in places.iter_mut().enumerate() {
             *place = sky.table.map().place(directions.get(lane));
         }
-        for lane in lanes_of(lanes) {
-            seen[lane] = sky.point(places[lane]);
-        }
+        sky.see(&places, lanes, |lane, point| seen[lane] = point);
     }
 }

@@ -92,7 +92,7 @@ pub fn mask_of(lanes: u32, mut holds: impl FnMut(usize) -> bool) -> u32 {
 }
 
 /// The numbers of the lanes with a bit in the mask.
-pub fn lanes_of(mut mask: u32) -> impl Iterator<Item = usize> {
+pub fn lanes_of(mut mask: u32) -> impl Iterator<Item = usize> + Clone {
     std::iter::from_fn(move || {
         let lane = mask.trailing_zeros() as usize;
         mask &= mask.wrapping_sub(1);

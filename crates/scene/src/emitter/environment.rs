@@ -8,7 +8,7 @@ use capwalk_math::elementary::{angle_of, floor, sin_cos};
 use capwalk_math::{Affine, Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
 
-use super::guides::Guides;
+use super::guides::{Guides, Start};
 use crate::texture::{Texture, bilinear};
 
 /// Where the texels of an environment map are.
@@ -35,18 +35,9 @@ impl EnvironmentMap {
 
     /// The texels' mean at a place, see [`Self::lookup`].
     #[inline(always)]
-    pub fn at<R: Real>(
-        &self,
-        place: &MapPlace<R>,
-        mut texel: impl FnMut(usize) -> Rgb<R>,
-    ) -> Rgb<R> {
-        let ([first_left, first_right, second_left, second_right], [s, t]) = self.corners(place);
-        let mut row = |left, right| {
-            let (left, right) = (texel(left), texel(right));
-            left + (right - left) * s
-        };
-        let (first, second) = (row(first_left, first_right), row(second_left, second_right));
-        first + (second - first) * t
+    pub fn at<R: Real>(&self, place: &MapPlace<R>, texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
+        let (corners, along) = self.corners(place);
+        mean(corners.map(texel), along)
     }
 
     /// The texels whose mean [`Self::at`] is, with their weights.
@@ -57,7 +48,7 @@ impl EnvironmentMap {
 
     /// The texels around a place, row by row, and the fractions of the way from the first of them.
     #[inline(always)]
-    fn corners<R: Real>(&self, place: &MapPlace<R>) -> ([usize; 4], [R; 2]) {
+    pub fn corners<R: Real>(&self, place: &MapPlace<R>) -> ([usize; 4], [R; 2]) {
         let (width, height) = (i64::from(self.width), i64::from(self.height));
         let split = |x: R| {
             let below = floor(x.value());
@@ -108,6 +99,15 @@ impl EnvironmentMap {
         let local = Vec3::new(sin_azimuth * sin, cos, -cos_azimuth * sin);
         self.world_from_map.vector(local)
     }
+}
+
+/// The mean of the texels around a place, see [`EnvironmentMap::corners`].
+#[inline(always)]
+pub fn mean<R: Real>(texels: [Rgb<R>; 4], [s, t]: [R; 2]) -> Rgb<R> {
+    let [first_left, first_right, second_left, second_right] = texels;
+    let first = first_left + (first_right - first_left) * s;
+    let second = second_left + (second_right - second_left) * s;
+    first + (second - first) * t
 }
 
 /// A direction, as a map has it.
@@ -250,20 +250,49 @@ impl EnvironmentTable {
 
     /// A unit direction of the world, and its place, unless the map [is black](Self::is_black).
     pub fn sample(&self, u: [f64; 2]) -> (Vec3, MapPlace<f64>) {
-        self.within(&self.choose(u))
+        let [cell] = self.choose(|_| u, std::iter::once(0));
+        self.within(&cell)
     }
 
-    /// A cell, with numbers that say where in it.
+    /// Cells for some of so many lanes, each by two random numbers, with numbers that say where in
+    /// the cell.
+    ///
+    /// Tables are larger than caches. Lanes ask together for what the next step reads: then
+    /// they wait for memory once, and not one after the other.
     #[inline(always)]
-    pub fn choose(&self, u: [f64; 2]) -> ChosenCell {
-        let (row, down) = self.row_guide.choose(&self.rows, 0, u[1]);
-        let (column, along) = self.cell_guides.choose(&self.cells, row, u[0]);
-        ChosenCell {
-            column: column as f64,
-            cosines: [self.cosines[row], self.cosines[row + 1]],
-            densities: self.corner_densities(column, row),
-            u: [along, down],
+    pub fn choose<const LANES: usize>(
+        &self,
+        u: impl Fn(usize) -> [f64; 2],
+        lanes: impl Iterator<Item = usize> + Clone,
+    ) -> [ChosenCell; LANES] {
+        let mut rows = [(0, 0.0); LANES];
+        for lane in lanes.clone() {
+            let start = self.row_guide.start(&self.rows, 0, u(lane)[1]);
+            rows[lane] = self.row_guide.choose(&self.rows, 0, start);
         }
+        let mut starts = [Start::default(); LANES];
+        for lane in lanes.clone() {
+            starts[lane] = self
+                .cell_guides
+                .start(&self.cells, rows[lane].0, u(lane)[0]);
+        }
+        let mut columns = [(0, 0.0); LANES];
+        for lane in lanes.clone() {
+            columns[lane] = self
+                .cell_guides
+                .choose(&self.cells, rows[lane].0, starts[lane]);
+        }
+        let mut cells = [ChosenCell::default(); LANES];
+        for lane in lanes {
+            let ((row, down), (column, along)) = (rows[lane], columns[lane]);
+            cells[lane] = ChosenCell {
+                column: column as f64,
+                cosines: [self.cosines[row], self.cosines[row + 1]],
+                densities: self.corner_densities(column, row),
+                u: [along, down],
+            };
+        }
+        cells
     }
 
     /// A unit direction of the world to a cell, and its place. Without a branch.
