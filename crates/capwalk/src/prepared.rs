@@ -632,7 +632,7 @@ impl Prepared {
 
     /// Goes over to a scene with the same names and other numbers; its methods stay chosen.
     pub(crate) fn renumber(&mut self, scene: Scene) -> Result<(), Error> {
-        scene.check().map_err(Error::InvalidUpdate)?;
+        (scene.check_after(self.scene())).map_err(Error::InvalidUpdate)?;
         self.prepared.update(scene);
         Ok(())
     }
@@ -656,7 +656,7 @@ impl Prepared {
     /// ```
     pub fn update_scene(&mut self, scene: impl Into<Arc<Scene>>) -> Result<(), Error> {
         let scene = scene.into();
-        scene.check().map_err(Error::InvalidUpdate)?;
+        (scene.check_after(self.scene())).map_err(Error::InvalidUpdate)?;
         self.prepared.update(scene);
         self.registry = OnceLock::new();
         self.choices = Choices::default();

@@ -83,7 +83,7 @@ impl Views {
                 .collect(),
             sensors,
         };
-        check(&views.scene, &views.sensors)?;
+        check(&views.scene, &views.sensors, None)?;
         Ok(views)
     }
 
@@ -290,7 +290,7 @@ impl Views {
         follow: fn(&mut Prepared, Scene) -> Result<(), Error>,
     ) -> Result<(), Error> {
         let scene = Arc::new(sensors[0].scene(&scene));
-        check(&scene, &sensors).map_err(Error::InvalidUpdate)?;
+        check(&scene, &sensors, Some(&self.scene)).map_err(Error::InvalidUpdate)?;
         (self.scene, self.sensors) = (scene, sensors);
         // A view that nobody has asked for costs nothing.
         for (view, place) in ViewId::all(self.sensors.len()).zip(&mut self.prepared) {
@@ -341,9 +341,17 @@ fn seen(scene: &Scene, sensors: &[SensorSettings], view: ViewId) -> Scene {
     seen
 }
 
-/// True if all sensors can render a scene, and all go by different names.
-fn check(scene: &Scene, sensors: &[SensorSettings]) -> Result<(), SceneError> {
-    scene.check()?;
+/// An error unless all sensors can render a scene, and all go by different names. Of another scene
+/// this is known.
+fn check(
+    scene: &Scene,
+    sensors: &[SensorSettings],
+    checked: Option<&Scene>,
+) -> Result<(), SceneError> {
+    match checked {
+        Some(checked) => scene.check_after(checked)?,
+        None => scene.check()?,
+    }
     let shapes = scene.shapes.iter().map(|shape| shape.id.as_str());
     let mut ids: HashSet<&str> = shapes.collect();
     for view in sensors {

@@ -80,21 +80,53 @@ impl Scene {
     /// Checks everything that rendering relies on. Call it on every scene that
     /// did not come from [`Scene::moved`] of a checked one.
     pub fn check(&self) -> Result<(), SceneError> {
+        self.check_unless(&|_| false, &|_| false)
+    }
+
+    /// [`Self::check`], if another scene has passed it: textures and meshes that both share are not
+    /// looked at again.
+    pub fn check_after(&self, checked: &Scene) -> Result<(), SceneError> {
+        let Scene {
+            materials,
+            emitters,
+            ..
+        } = checked;
+        // Otherwise numbers may mean something else.
+        let mean_the_same = *materials == self.materials && *emitters == self.emitters;
+        let shares_texture = |id: TextureId| {
+            let [old, new] = [checked, self].map(|scene| scene.textures.get(id.0 as usize));
+            mean_the_same && old.zip(new).is_some_and(|(old, new)| Arc::ptr_eq(old, new))
+        };
+        let shares_shape = |id: ShapeId| {
+            let [old, new] = [checked, self].map(|scene| scene.shapes.get(id.0 as usize));
+            old.zip(new).is_some_and(|(old, new)| Arc::ptr_eq(old, new))
+        };
+        self.check_unless(&shares_texture, &shares_shape)
+    }
+
+    /// [`Self::check`], but for textures and meshes of which it is known.
+    fn check_unless(
+        &self,
+        is_good_texture: &dyn Fn(TextureId) -> bool,
+        has_good_mesh: &dyn Fn(ShapeId) -> bool,
+    ) -> Result<(), SceneError> {
         self.film.check()?;
         self.sensor.check()?;
         self.settings.check()?;
         // Parameters go by these names; `sensor` is always that which renders.
         let mut ids = HashSet::from(["sensor", self.sensor.id.as_str()]);
-        for shape in &self.shapes {
+        for (index, shape) in self.shapes.iter().enumerate() {
             if !ids.insert(shape.id.as_str()) {
                 return Err(SceneError::DuplicateId {
                     id: shape.id.clone(),
                 });
             }
-            shape.mesh.check().map_err(|error| SceneError::Mesh {
-                shape: shape.id.clone(),
-                error,
-            })?;
+            if !has_good_mesh(ShapeId(index as u32)) {
+                shape.mesh.check().map_err(|error| SceneError::Mesh {
+                    shape: shape.id.clone(),
+                    error,
+                })?;
+            }
             if shape.world_from_object.inverse().is_none() {
                 return Err(SceneError::BadNumber {
                     name: format!("{}.to_world", shape.id),
@@ -119,13 +151,15 @@ impl Scene {
                 });
             }
         }
-        for texture in &self.textures {
-            texture.check()?;
+        for (index, texture) in self.textures.iter().enumerate() {
+            if !is_good_texture(TextureId(index as u32)) {
+                texture.check()?;
+            }
         }
         self.check_sizes()?;
         self.check_attributes()?;
         self.check_materials()?;
-        self.check_slots()?;
+        self.check_slots(is_good_texture)?;
         let environments = self.emitters.iter().filter(|e| e.is_environment());
         if environments.count() > 1 {
             return Err(SceneError::SeveralEnvironments);
@@ -154,9 +188,13 @@ impl Scene {
 
     /// Checks that numbers are in the range of what they mean, and that shapes
     /// have what their textures ask for.
-    fn check_slots(&self) -> Result<(), SceneError> {
+    fn check_slots(&self, is_good: &dyn Fn(TextureId) -> bool) -> Result<(), SceneError> {
         for emitter in &self.emitters {
-            for slot in emitter.slots() {
+            for slot in emitter
+                .slots()
+                .into_iter()
+                .filter(|slot| !is_good(slot.texture))
+            {
                 self.check_range(slot.texture, slot.quantity)?;
             }
             if let Some((slot, image)) = emitter.projected_image() {
@@ -179,7 +217,8 @@ impl Scene {
                 }
             }
         }
-        for slot in self.materials.iter().flat_map(|m| m.bsdf.slots()) {
+        let slots = self.materials.iter().flat_map(|m| m.bsdf.slots());
+        for slot in slots.filter(|slot| !is_good(slot.texture)) {
             self.check_range(slot.texture, slot.quantity)?;
         }
         for shape in &self.shapes {
