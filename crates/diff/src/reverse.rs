@@ -327,6 +327,8 @@ impl<'a> BackwardWork<'a> {
             sampler: Sampler::new(&scene.settings, options.seed, options.spp),
             spp: options.spp,
             grid: self.grid(),
+            bands_at_once: (self.grid().batches as usize)
+                < pool::install(rayon::current_num_threads),
             watch,
             done: AtomicU64::new(0),
             total: 0,
@@ -490,6 +492,8 @@ struct Pass<'a> {
     sampler: Sampler,
     spp: u32,
     grid: Grid,
+    /// True if there are more threads than batches, so that bands of one are done at once, too.
+    bands_at_once: bool,
     watch: &'a dyn Watch,
     done: AtomicU64,
     total: u64,
@@ -507,7 +511,9 @@ const LOOK_UP: usize = 64;
 
 /// Memory for one sample after another.
 #[derive(Default)]
-struct Memory {
+struct Memory<'a> {
+    /// Takes samples together in which nothing moves.
+    together: Option<Differentiator<'a>>,
     tape: Tape,
     adjoints: Adjoints,
     covectors: Vec<(Target, Vec3)>,
@@ -557,8 +563,7 @@ impl Pass<'_> {
     /// Samples of some bands, one after the other, so that all pixels have as many when the
     /// work is stopped.
     fn bands(&self, samples: Range<u32>, bands: &[u32]) -> Vec<BatchSums> {
-        let mut memory = Memory::default();
-        let mut together = self.lanes.map(Differentiator::new);
+        let mut memories: Vec<Memory<'_>> = bands.iter().map(|_| self.memory()).collect();
         let mut sums: Vec<BatchSums> = bands.iter().map(|&band| self.nothing(band)).collect();
         let pixels: usize = bands.iter().map(|&band| self.pixels(band).len()).sum();
         for number in samples {
@@ -568,11 +573,16 @@ impl Pass<'_> {
             // One sample of each of many pixels takes long: if it is stopped, none of them has it.
             let before = (pixels > FEW_PIXELS).then(|| sums.clone());
             let can_stop = before.is_some();
-            let mut all = bands.iter().zip(&mut sums);
-            let is_whole = all.all(|(&band, sums)| {
-                let together = together.as_mut();
-                self.add_samples(together, band, number, sums, &mut memory, can_stop)
-            });
+            let add = |((&band, sums), memory): ((&u32, &mut BatchSums), &mut Memory<'_>)| {
+                self.add_samples(band, number, sums, memory, can_stop)
+            };
+            let is_whole = match self.bands_at_once {
+                true => {
+                    let all = bands.par_iter().zip(&mut sums).zip(&mut memories);
+                    all.map(add).reduce(|| true, |all, one| all & one)
+                }
+                false => bands.iter().zip(&mut sums).zip(&mut memories).all(add),
+            };
             if let Some(before) = before.filter(|_| !is_whole) {
                 return before;
             }
@@ -580,32 +590,37 @@ impl Pass<'_> {
         sums
     }
 
+    fn memory(&self) -> Memory<'_> {
+        Memory {
+            together: self.lanes.map(Differentiator::new),
+            ..Memory::default()
+        }
+    }
+
     /// Adds a sample of each pixel of a band; false if it can be stopped there and was.
     fn add_samples(
         &self,
-        together: Option<&mut Differentiator<'_>>,
         band: u32,
         number: u32,
         sums: &mut BatchSums,
-        memory: &mut Memory,
+        memory: &mut Memory<'_>,
         can_stop: bool,
     ) -> bool {
         let pixels = self.pixels(band);
         let work = pixels.len() as u64;
-        if let Some(together) = together {
-            for first in pixels.clone().step_by(LOOK_UP) {
-                if can_stop && self.watch.should_stop() {
-                    return false;
-                }
-                let some = first..pixels.end.min(first + LOOK_UP);
-                self.add_together(together, some, number, sums, memory);
-            }
-        }
-        for pixel in pixels.filter(|_| self.lanes.is_none()) {
-            if can_stop && pixel % LOOK_UP == 0 && self.watch.should_stop() {
+        for first in pixels.clone().step_by(LOOK_UP) {
+            if can_stop && self.watch.should_stop() {
                 return false;
             }
-            self.add_sample(pixel, number, sums, memory);
+            let some = first..pixels.end.min(first + LOOK_UP);
+            match self.lanes {
+                Some(_) => self.add_together(some, number, sums, memory),
+                None => {
+                    for pixel in some {
+                        self.add_sample(pixel, number, sums, memory);
+                    }
+                }
+            }
         }
         sums.bands[0].taken += 1;
         let done = self.done.fetch_add(work, Ordering::Relaxed) + work;
@@ -629,13 +644,13 @@ impl Pass<'_> {
     /// Adds a sample of each of some pixels in which nothing moves.
     fn add_together(
         &self,
-        together: &mut Differentiator<'_>,
         pixels: Range<usize>,
         number: u32,
         sums: &mut BatchSums,
-        memory: &mut Memory,
+        memory: &mut Memory<'_>,
     ) {
         let Memory {
+            together,
             tape,
             adjoints,
             runs,
@@ -656,6 +671,7 @@ impl Pass<'_> {
         on_scene.resize(LOOK_UP, Vec::new());
         on_scene.iter_mut().for_each(Vec::clear);
         taken.clear();
+        let together = together.as_mut().expect("there are lanes");
         together.take(runs, on_light, taken, |sample, on_path| {
             self.pull_back(on_path, tape, adjoints, &mut on_scene[sample]);
         });
@@ -705,7 +721,7 @@ impl Pass<'_> {
     }
 
     /// Adds one sample of one pixel.
-    fn add_sample(&self, pixel: usize, number: u32, sums: &mut BatchSums, memory: &mut Memory) {
+    fn add_sample(&self, pixel: usize, number: u32, sums: &mut BatchSums, memory: &mut Memory<'_>) {
         let Memory {
             tape,
             adjoints,
