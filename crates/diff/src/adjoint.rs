@@ -1,8 +1,6 @@
 //! What reverse mode collects: a covector on everything that can move or
 //! change, and the linear maps after the samples.
 
-use std::ops::AddAssign;
-
 use std::sync::Arc;
 
 use capwalk_boundary::{Accel, Boundaries, bends_images};
@@ -14,6 +12,8 @@ use capwalk_scene::{
     Shape, ShapeId, ShapeVectors, Tangent, TextureId, corner_normals, normal_sums,
 };
 use serde::{Deserialize, Serialize};
+
+use crate::sparse_sums::SparseSums;
 
 /// Which parameters' gradients are wanted: the others count as constants, and
 /// cost nothing.
@@ -205,9 +205,9 @@ pub enum Target {
 /// Sums of covectors.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Adjoint {
-    points: Vec<Vec3>,
-    normals: Vec<Option<Vec<Vec3>>>,
-    textures: Vec<Vec<f64>>,
+    points: SparseSums<Vec3>,
+    normals: Vec<Option<SparseSums<Vec3>>>,
+    textures: Vec<SparseSums<f64>>,
     channels: Vec<usize>,
     sensor_origin: Vec3,
     sensor_axes: [Vec3; 3],
@@ -219,17 +219,17 @@ impl Adjoint {
     pub fn zero(scene: &Scene, boundaries: &Boundaries, wanted: &Wanted) -> Self {
         let normals = |normals: &ShadingNormals| {
             let count = normals.per_vertex()?.len();
-            Some(vec![Vec3::zero(); count])
+            Some(SparseSums::zero(count))
         };
         Self {
-            points: vec![Vec3::zero(); boundaries.point_count()],
+            points: SparseSums::zero(boundaries.point_count()),
             normals: scene.shapes.iter().map(|s| normals(&s.normals)).collect(),
-            // Only what is wanted takes memory: environment maps are large.
             textures: scene
                 .textures
                 .iter()
                 .zip(&wanted.textures)
-                .map(|(texture, &wanted)| vec![0.0; if wanted { texture.data.len() } else { 0 }])
+                .map(|(texture, &wanted)| if wanted { texture.data.len() } else { 0 })
+                .map(SparseSums::zero)
                 .collect(),
             channels: scene.textures.iter().map(|t| t.channels).collect(),
             sensor_origin: Vec3::zero(),
@@ -242,20 +242,18 @@ impl Adjoint {
     #[inline]
     pub fn add(&mut self, target: Target, covector: Vec3) {
         match target {
-            Target::Point(i) => self.points[i as usize] += covector,
+            Target::Point(i) => self.points.add(i as usize, covector),
             Target::Normal(shape, vertex) => {
                 let normals = self.normals[shape].as_mut();
-                normals.expect("a shape with normals")[vertex as usize] += covector;
+                normals
+                    .expect("a shape with normals")
+                    .add(vertex as usize, covector);
             }
             Target::Texel(id, index) => {
                 let data = &mut self.textures[id.0 as usize];
                 match self.channels[id.0 as usize] {
-                    1 => data[index] += covector.x + covector.y + covector.z,
-                    _ => {
-                        data[3 * index] += covector.x;
-                        data[3 * index + 1] += covector.y;
-                        data[3 * index + 2] += covector.z;
-                    }
+                    1 => data.add(index, covector.x + covector.y + covector.z),
+                    _ => data.add_each(3 * index, covector.to_array()),
                 }
             }
             Target::SensorOrigin => self.sensor_origin += covector,
@@ -266,24 +264,20 @@ impl Adjoint {
 
     /// Sums on the numbers of each texture that is wanted.
     #[cfg(test)]
-    pub fn textures(&self) -> &[Vec<f64>] {
-        &self.textures
+    pub fn textures(self) -> Vec<Vec<f64>> {
+        let textures = self.textures.into_iter();
+        textures.map(SparseSums::into_list).collect()
     }
 
     /// Multiplies everything by a factor.
     pub fn scale(&mut self, factor: f64) {
-        self.vectors_mut().for_each(|v| *v = *v * factor);
-        self.textures
-            .iter_mut()
-            .flatten()
-            .for_each(|x| *x *= factor);
-    }
-
-    fn vectors_mut(&mut self) -> impl Iterator<Item = &mut Vec3> {
-        let normals = self.normals.iter_mut().flatten().flatten();
+        let normals = self.normals.iter_mut().flatten();
+        let vectors = normals.chain([&mut self.points]);
+        vectors.for_each(|sums| sums.scale(factor));
+        self.textures.iter_mut().for_each(|sums| sums.scale(factor));
         let sensor = [&mut self.sensor_origin, &mut self.sensor_optics];
         let sensor = self.sensor_axes.iter_mut().chain(sensor);
-        self.points.iter_mut().chain(normals).chain(sensor)
+        sensor.for_each(|v| *v = *v * factor);
     }
 
     /// The gradient: what is left are the maps that do not depend on samples, from
@@ -291,7 +285,8 @@ impl Adjoint {
     pub fn gradient(mut self, accel: &Accel, boundaries: &Boundaries, wanted: &Wanted) -> Gradient {
         let scene = &accel.scene;
         let vertex_count = accel.mesh.positions.len();
-        let (fixed, ends) = self.points.split_at_mut(vertex_count + accel.anchors.len());
+        let mut points = self.points.into_list();
+        let (fixed, ends) = points.split_at_mut(vertex_count + accel.anchors.len());
         let crossings = boundaries.crossings.iter();
         for (end, &covector) in crossings.flat_map(|crossing| &crossing.ends).zip(&*ends) {
             end.pull_back(covector, fixed);
@@ -320,7 +315,7 @@ impl Adjoint {
                 (false, true) => vec![Vec3::zero(); count],
                 (true, _) => vertices[first..first + count].to_vec(),
             };
-            let on_normals = self.normals[i].take();
+            let on_normals = self.normals[i].take().map(SparseSums::into_list);
             let normals = match (&shape.normals, on_normals) {
                 (ShadingNormals::Given(_), Some(on_normals)) if wanted.normals[i] => {
                     Some(on_normals)
@@ -340,7 +335,7 @@ impl Adjoint {
             .textures
             .into_iter()
             .zip(&wanted.textures)
-            .map(|(data, wanted)| wanted.then_some(data))
+            .map(|(sums, wanted)| wanted.then(|| sums.into_list()))
             .collect();
         let sensor = SensorVectors {
             translation: self.sensor_origin,
@@ -354,37 +349,31 @@ impl Adjoint {
 
 impl Accumulate for Adjoint {
     fn fits(&self, next: &Self) -> bool {
-        let form = |adjoint: &Self| {
-            let normals = adjoint.normals.iter();
-            let normals = normals.map(|normals| normals.as_ref().map(Vec::len));
-            let textures = adjoint.textures.iter().map(Vec::len);
-            (
-                adjoint.points.len(),
-                normals.collect::<Vec<_>>(),
-                textures.collect::<Vec<_>>(),
-                adjoint.channels.clone(),
-            )
-        };
-        form(self) == form(next)
+        let mut normals = self.normals.iter().zip(&next.normals);
+        let mut textures = self.textures.iter().zip(&next.textures);
+        self.points.fits(&next.points)
+            && self.normals.len() == next.normals.len()
+            && normals.all(|pair| match pair {
+                (Some(own), Some(next)) => own.fits(next),
+                (own, next) => own.is_none() && next.is_none(),
+            })
+            && self.textures.len() == next.textures.len()
+            && textures.all(|(own, next)| own.fits(next))
+            && self.channels == next.channels
     }
 
     fn add(&mut self, next: &Self) {
-        fn sum<T: Copy + AddAssign>(own: &mut [T], next: &[T]) {
-            own.iter_mut().zip(next).for_each(|(a, &b)| *a += b);
-        }
-        sum(&mut self.points, &next.points);
-        for (own, next) in self
-            .normals
-            .iter_mut()
-            .flatten()
-            .zip(next.normals.iter().flatten())
-        {
-            sum(own, next);
+        self.points.add_all(&next.points);
+        let normals = self.normals.iter_mut().flatten();
+        for (own, next) in normals.zip(next.normals.iter().flatten()) {
+            own.add_all(next);
         }
         for (own, next) in self.textures.iter_mut().zip(&next.textures) {
-            sum(own, next);
+            own.add_all(next);
         }
-        sum(&mut self.sensor_axes, &next.sensor_axes);
+        for (own, next) in self.sensor_axes.iter_mut().zip(&next.sensor_axes) {
+            *own += *next;
+        }
         self.sensor_origin += next.sensor_origin;
         self.sensor_optics += next.sensor_optics;
     }

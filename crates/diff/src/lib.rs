@@ -17,6 +17,7 @@ mod options;
 mod refused;
 mod reverse;
 mod reverse_eval;
+mod sparse_sums;
 
 // What appears in the signatures here.
 pub use capwalk_boundary::pool::with_threads;

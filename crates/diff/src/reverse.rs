@@ -49,7 +49,7 @@ impl Backward {
         let samples: u64 = batches.iter().map(|(_, n)| n).sum();
         let mut mean = batches[0].0.scaled(0.0);
         for (batch, n) in &batches {
-            mean.add(&batch.scaled(*n as f64 / samples as f64));
+            mean.add_scaled(batch, *n as f64 / samples as f64);
         }
         Self {
             batches,
@@ -93,7 +93,7 @@ impl Backward {
         let mut squares = self.mean.scaled(0.0);
         for (batch, _) in &self.batches {
             let mut difference = batch.clone();
-            difference.add(&self.mean.scaled(-1.0));
+            difference.add_scaled(&self.mean, -1.0);
             squares.add(&difference.map(|x| x * x));
         }
         let n = self.batches.len() as f64;
@@ -816,7 +816,7 @@ mod tests {
                 let mut sums = sums.expect("nothing moves").into_sums().into_iter();
                 let mut sum = sums.next().expect("a batch");
                 sums.for_each(|next| sum.add(&next));
-                sum.mean.textures().to_vec()
+                sum.mean.textures()
             };
             let (found, expected) = (arrays(Some(&lanes)), arrays(None));
             // Packets let single rays pass edges on the other side.

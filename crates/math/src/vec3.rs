@@ -8,7 +8,7 @@ use crate::dual::Dual;
 use crate::real::Real;
 
 /// A vector, point or direction in space.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Default, Debug, PartialEq, Serialize, Deserialize)]
 #[repr(C)]
 pub struct Vec3<R = f64> {
     /// First component.

@@ -164,28 +164,34 @@ impl<K> SceneVector<K> {
 
     /// Adds another one.
     pub fn add(&mut self, other: &Self) {
+        self.add_scaled(other, 1.0);
+    }
+
+    /// Adds `factor` times another one.
+    pub fn add_scaled(&mut self, other: &Self, factor: f64) {
         for (own, others) in self.shapes.iter_mut().zip(&other.shapes) {
-            match (own.as_mut(), others) {
-                (_, None) => {}
-                (None, Some(_)) => *own = others.clone(),
-                (Some(own), Some(others)) => own.add(others),
+            if let Some(others) = others {
+                let own = own.get_or_insert_with(|| ShapeVectors {
+                    vertices: vec![Vec3::zero(); others.vertices.len()],
+                    normals: None,
+                });
+                own.add_scaled(others, factor);
             }
         }
         for (own, others) in self.textures.iter_mut().zip(&other.textures) {
-            match (own.as_mut(), others) {
-                (_, None) => {}
-                (None, Some(_)) => *own = others.clone(),
-                (Some(own), Some(others)) => {
-                    own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
-                }
+            if let Some(others) = others {
+                let own = own.get_or_insert_with(|| vec![0.0; others.len()]);
+                let pairs = own.iter_mut().zip(others);
+                pairs.for_each(|(own, &other)| *own += other * factor);
             }
         }
         for (own, others) in self.emitters.iter_mut().zip(&other.emitters) {
-            own.translation += others.translation;
-            own.rotation += others.rotation;
+            own.translation += others.translation * factor;
+            own.rotation += others.rotation * factor;
         }
         let (own, others) = (self.sensor.vectors(), other.sensor.vectors());
-        self.sensor = SensorVectors::from_vectors(array::from_fn(|i| own[i] + others[i]));
+        let sum = array::from_fn(|i| own[i] + others[i] * factor);
+        self.sensor = SensorVectors::from_vectors(sum);
     }
 
     /// The vector with every number replaced by a function of it, which must keep zero.
@@ -241,7 +247,7 @@ impl Tangent {
     /// Adds velocities of a shape's vertices and normals.
     pub fn add_to_shape(&mut self, id: ShapeId, velocities: ShapeVectors) {
         match &mut self.shapes[id.0 as usize] {
-            Some(own) => own.add(&velocities),
+            Some(own) => own.add_scaled(&velocities, 1.0),
             rest => *rest = Some(velocities),
         }
     }
@@ -274,16 +280,16 @@ impl Gradient {
 }
 
 impl ShapeVectors {
-    /// Adds another one.
-    pub fn add(&mut self, other: &Self) {
-        let add = |own: &mut Vec<Vec3>, others: &[Vec3]| {
-            own.iter_mut().zip(others).for_each(|(a, &b)| *a += b);
+    /// Adds `factor` times another one.
+    pub fn add_scaled(&mut self, other: &Self, factor: f64) {
+        let add = |own: &mut [Vec3], others: &[Vec3]| {
+            let pairs = own.iter_mut().zip(others);
+            pairs.for_each(|(own, &other)| *own += other * factor);
         };
         add(&mut self.vertices, &other.vertices);
-        match (&mut self.normals, &other.normals) {
-            (Some(own), Some(others)) => add(own, others),
-            (own @ None, Some(others)) => *own = Some(others.clone()),
-            (_, None) => {}
+        if let Some(others) = &other.normals {
+            let own = (self.normals).get_or_insert_with(|| vec![Vec3::zero(); others.len()]);
+            add(own, others);
         }
     }
 }
