@@ -261,7 +261,7 @@ fn of_array(
     array: &ArrayParameter,
     result: &Backward,
 ) -> ParameterGradient {
-    let (numbers, standard_errors) = result.numbers(|gradient| array.gradient(scene, gradient));
+    let (numbers, standard_errors) = result.numbers(array.pull_back(scene));
     let size = norm(&numbers);
     // The derivative of the norm is the unit vector along the gradient.
     let unit: Vec<f64> = match size {

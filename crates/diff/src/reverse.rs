@@ -75,17 +75,21 @@ impl Backward {
 
     /// Numbers that are linear in the gradient, and the standard error of each
     /// (NaN from a single batch). `of` gives as many whatever it is given.
-    pub fn numbers(&self, of: impl Fn(&Gradient) -> Vec<f64>) -> (Vec<f64>, Vec<f64>) {
-        let mut moments: Vec<Moments> = Vec::new();
-        for (batch, _) in &self.batches {
-            let numbers = of(batch);
-            moments.resize(numbers.len(), Moments::default());
-            for (moments, number) in moments.iter_mut().zip(numbers) {
-                moments.add(number);
+    pub fn numbers<'s, N: AsRef<[f64]>>(
+        &'s self,
+        of: impl Fn(&'s Gradient) -> N,
+    ) -> (Vec<f64>, Vec<f64>) {
+        let batches: Vec<N> = self.batches.iter().map(|(batch, _)| of(batch)).collect();
+        let mean = of(&self.mean).as_ref().to_vec();
+        let error = |i: usize| {
+            let mut moments = Moments::default();
+            for batch in &batches {
+                moments.add(batch.as_ref()[i]);
             }
-        }
-        let errors = moments.iter().map(Moments::standard_error).collect();
-        (of(&self.mean), errors)
+            moments.standard_error()
+        };
+        let errors = (0..mean.len()).map(error).collect();
+        (mean, errors)
     }
 
     /// The standard error of every number of the gradient, in its form.

@@ -2,6 +2,7 @@
 //! vertices of a mesh. Reverse mode gives the gradient of a loss with respect to all of
 //! them; an optimiser reads and writes them.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use capwalk_geometry::topology::weld;
@@ -278,11 +279,36 @@ impl ArrayParameter {
     /// derivatives with respect to normals are orthogonal to them, because their length does
     /// not count. Linear in the gradient; zero if it was not asked for this.
     pub fn gradient(&self, scene: &Scene, gradient: &Gradient) -> Vec<f64> {
+        self.pull_back(scene)(gradient).into_owned()
+    }
+
+    /// [`ArrayParameter::gradient`] of any gradient. What depends on the scene alone is found out
+    /// once, and numbers that a gradient has in this form are not copied.
+    pub fn pull_back<'s>(
+        &'s self,
+        scene: &'s Scene,
+    ) -> impl for<'g> Fn(&'g Gradient) -> Cow<'g, [f64]> + 's {
+        let welded = match self.place {
+            Place::Positions(id) => weld(&scene.shape(id).mesh.positions),
+            _ => Vec::new(),
+        };
+        move |gradient| {
+            if let Place::Texels(id, part) = self.place
+                && let Some(data) = &gradient.textures[id.0 as usize]
+            {
+                return data[numbers_of(scene, id, part)].into();
+            }
+            self.pulled(scene, &welded, gradient).into()
+        }
+    }
+
+    /// [`ArrayParameter::gradient`] of what is not borrowed from it. `welded` has for each of a
+    /// shape's positions the first vertex there.
+    fn pulled(&self, scene: &Scene, welded: &[u32], gradient: &Gradient) -> Vec<f64> {
         match self.place {
             Place::Positions(id) => {
                 let of_shape = gradient.shapes[id.0 as usize].as_ref();
-                let positions = &scene.shape(id).mesh.positions;
-                of_shape.map(|shape| flat(&shared(positions, &shape.vertices)))
+                of_shape.map(|shape| flat(&shared(welded, &shape.vertices)))
             }
             Place::Normals(id) => {
                 let of_shape = gradient.shapes[id.0 as usize].as_ref();
@@ -295,10 +321,8 @@ impl ArrayParameter {
                         flat(&tangent.collect::<Vec<_>>())
                     })
             }
-            Place::Texels(id, part) => {
-                let data = gradient.textures[id.0 as usize].as_ref();
-                data.map(|data| data[numbers_of(scene, id, part)].to_vec())
-            }
+            // It was not asked for.
+            Place::Texels(..) => None,
             Place::ShapeToWorld(id) => {
                 let of_shape = gradient.shapes[id.0 as usize].as_ref();
                 of_shape.map(|covectors| matrix::shape_gradient(scene.shape(id), covectors))
@@ -330,11 +354,10 @@ fn numbers_of(scene: &Scene, id: TextureId, part: NamedTexels) -> Range<usize> {
 }
 
 /// The mean of the covectors on each group of vertices at the same place, for
-/// every vertex of the group.
-fn shared(positions: &[Vec3], covectors: &[Vec3]) -> Vec<Vec3> {
-    let first = weld(positions);
-    let mut sums = vec![Vec3::zero(); positions.len()];
-    let mut counts = vec![0.0; positions.len()];
+/// every vertex of the group. `first` is the first vertex of each one's group.
+fn shared(first: &[u32], covectors: &[Vec3]) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::zero(); first.len()];
+    let mut counts = vec![0.0; first.len()];
     for (&first, &covector) in first.iter().zip(covectors) {
         sums[first as usize] += covector;
         counts[first as usize] += 1.0;

@@ -68,7 +68,7 @@ fn admissible(scene: &Scene, array: &ArrayParameter) -> Vec<f64> {
         }
         Place::Positions(id) => {
             let positions = &scene.shape(id).mesh.positions;
-            flat(&shared(positions, &vectors(&velocities)))
+            flat(&shared(&weld(positions), &vectors(&velocities)))
         }
         _ => velocities,
     }
