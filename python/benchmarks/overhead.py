@@ -1,9 +1,10 @@
-"""What a call from Python costs: one pixel before a cube, and gradients of a moving mesh of
-72,000 triangles. Prints medians."""
+"""What a call from Python costs: one pixel before a cube, gradients of a moving mesh of 72,000
+triangles, and those by the texels of large textures. Prints medians."""
 
 from __future__ import annotations
 
 import statistics
+import tempfile
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -66,6 +67,44 @@ def moving_mesh() -> None:
         print(f"72,000 triangles, {what:24}{milliseconds(work, 5):8.1f} ms")
 
 
+ROOM = """<scene version="3.0.0">
+<integrator type="path"><integer name="max_depth" value="5"/></integrator>
+<sensor type="perspective"><transform name="to_world">
+<lookat origin="0.3, -3.6, 2.4" target="0, 0.1, 0.3" up="0, 0, 1"/></transform>
+<film type="hdrfilm"><integer name="width" value="160"/><integer name="height" value="90"/>
+</film></sensor>
+<shape type="rectangle" id="floor"><transform name="to_world"><scale value="1.2"/></transform>
+<bsdf type="diffuse"><texture type="bitmap" name="reflectance">
+<string name="filename" value="floor.exr"/></texture></bsdf></shape>
+<shape type="cube" id="block"><transform name="to_world"><scale value="0.3"/>
+<translate z="0.3"/></transform></shape>
+<emitter type="envmap" id="sky"><string name="filename" value="sky.exr"/></emitter></scene>"""
+
+
+def large_textures() -> None:
+    random = np.random.default_rng(1)
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("floor", "sky"):
+            texels = random.uniform(0.2, 0.8, (1024, 2048, 3))
+            cw.save_image(Path(folder) / f"{name}.exr", texels)
+        started = time.perf_counter()
+        scene = cw.load_string(ROOM, folder)
+        print(f"textures, load            {1e3 * (time.perf_counter() - started):8.1f} ms")
+    params, ones = cw.traverse(scene), np.ones((90, 160, 3))
+    colour, texels = "block.bsdf.reflectance.value", "floor.bsdf.reflectance.data"
+
+    def update() -> None:
+        params[colour] *= 0.999
+        params.update()
+
+    print(f"textures, update of a colour{milliseconds(update, 9):8.2f} ms")
+    for spp in (1, 16):
+        for what, name in (("a colour", colour), ("texels", texels)):
+            taken = milliseconds(lambda: cw.backward(scene, ones, [name], spp=spp), 5)
+            print(f"textures, backward, {spp:2} spp, by {what:8}{taken:8.1f} ms")
+
+
 if __name__ == "__main__":
     one_pixel()
     moving_mesh()
+    large_textures()
