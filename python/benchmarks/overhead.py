@@ -84,9 +84,9 @@ ROOM = """<scene version="3.0.0">
 def large_textures() -> None:
     random = np.random.default_rng(1)
     with tempfile.TemporaryDirectory() as folder:
-        for name in ("floor", "sky"):
-            texels = random.uniform(0.2, 0.8, (1024, 2048, 3))
-            cw.save_image(Path(folder) / f"{name}.exr", texels)
+        for image in ("floor", "sky"):
+            colours = random.uniform(0.2, 0.8, (1024, 2048, 3))
+            cw.save_image(Path(folder) / f"{image}.exr", colours)
         started = time.perf_counter()
         scene = cw.load_string(ROOM, folder)
         print(f"textures, load            {1e3 * (time.perf_counter() - started):8.1f} ms")
