@@ -845,4 +845,47 @@ mod tests {
         Arc::make_mut(&mut broken.shapes[0]).mesh.positions[0].x = f64::NAN;
         assert!(prepared.update_scene(broken).is_err());
     }
+
+    /// Numbers that were right for what they were may be wrong for what they become: nothing of a
+    /// scene is taken for known because the scene before had it.
+    #[test]
+    fn changes_are_checked_as_scenes_are() {
+        let mut prepared = Prepared::new(leaf()).expect("it can be rendered");
+        let scene = Scene::clone(prepared.scene());
+        let radiance = scene.emitters[0].radiance();
+        let covered = |opacity| {
+            let mut covered = scene.clone();
+            let nested = capwalk_scene::BsdfId(covered.materials.len() as u32);
+            let mut material = covered.materials[0].clone();
+            material.id = "covered".into();
+            covered.materials.push(material);
+            covered.materials[0].bsdf = capwalk_scene::Bsdf::Mask { opacity, nested };
+            covered
+        };
+        let changed = |change: &dyn Fn(&mut Scene)| {
+            let mut changed = scene.clone();
+            change(&mut changed);
+            changed
+        };
+        let scenes = [
+            covered(radiance),
+            changed(&|scene| Arc::make_mut(&mut scene.textures[0]).data[0] = f64::NAN),
+            changed(&|scene| {
+                Arc::make_mut(&mut scene.textures[radiance.0 as usize]).data[0] = -1.0;
+            }),
+            changed(&|scene| scene.shape_mut(capwalk_scene::ShapeId(1)).mesh.faces[0] = [900; 3]),
+            changed(&|scene| {
+                let first = scene.shapes[0].clone();
+                scene.shapes.push(first);
+            }),
+            changed(&|scene| scene.film.size = [0, 6]),
+        ];
+        for (number, scene) in scenes.into_iter().enumerate() {
+            let expected = scene.check().expect_err("it is wrong").to_string();
+            let found = scene.check_after(prepared.scene());
+            let found = found.expect_err("it is wrong").to_string();
+            assert_eq!(found, expected, "scene {number}");
+            assert!(prepared.update_scene(scene).is_err());
+        }
+    }
 }

@@ -279,16 +279,18 @@ fn single_parameters() {
     }
 }
 
-/// The number of threads changes no bit.
+/// The number of threads changes no bit, also where there are more of them than batches.
 #[test]
 fn threads_change_nothing() {
     let mut scene = visible_cube();
     scene.film.size = [8; 2];
     scene.film.crop_size = [8; 2];
     let wanted = Wanted::all(&scene);
-    let [one, three] = [1, 3]
-        .map(|threads| with_threads(threads, || reverse(&scene, &wanted, 20).gradient().clone()));
-    assert_eq!(one, three);
+    for spp in [1, 2, 20] {
+        let gradient = || reverse(&scene, &wanted, spp).gradient().clone();
+        let [one, three] = [1, 3].map(|threads| with_threads(threads, gradient));
+        assert_eq!(one, three, "{spp}");
+    }
 }
 
 /// Standard errors are those of independent repetitions (a ratio of variances
