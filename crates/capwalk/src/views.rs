@@ -341,8 +341,8 @@ fn seen(scene: &Scene, sensors: &[SensorSettings], view: ViewId) -> Scene {
     seen
 }
 
-/// An error unless all sensors can render a scene, and all go by different names. Of another scene
-/// this is known.
+/// An error unless all sensors can render a scene, and all go by different names. `checked` is a
+/// scene that has passed already, if there is one.
 fn check(
     scene: &Scene,
     sensors: &[SensorSettings],

@@ -11,7 +11,7 @@ use capwalk_boundary::refuse::{
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
-use capwalk_math::{Moments, Rgb, Tape, Vec3};
+use capwalk_math::{Rgb, Tape, Vec3};
 use capwalk_render::tiles::{self, Sample, SampleRun};
 use capwalk_render::{
     Accumulate, Along, Differentiator, Grid, LaneTracer, MotionFacts, OrderedSum, Part, PartError,
@@ -79,19 +79,24 @@ impl Backward {
         &'s self,
         of: impl Fn(&'s Gradient) -> N,
     ) -> (Vec<f64>, Vec<f64>) {
-        let batches: Vec<N> = self.batches.iter().map(|(batch, _)| of(batch)).collect();
         let mean = of(&self.mean).as_ref().to_vec();
-        let error = |i: usize| {
-            let of_batches = || batches.iter().map(|batch| batch.as_ref()[i]);
-            // Most texels of a large texture were not met.
-            if batches.len() > 1 && of_batches().all(|x| x == 0.0) {
-                return 0.0;
+        // Sums of the distances from the mean and of their squares: the batches' own mean is another
+        // one if they have not as many samples.
+        let mut sums = vec![[0.0; 2]; mean.len()];
+        for (batch, _) in &self.batches {
+            let numbers = of(batch);
+            for ((sums, &x), &mean) in sums.iter_mut().zip(numbers.as_ref()).zip(&mean) {
+                let distance = x - mean;
+                sums[0] += distance;
+                sums[1] += distance * distance;
             }
-            let mut moments = Moments::default();
-            of_batches().for_each(|x| moments.add(x));
-            moments.standard_error()
+        }
+        let n = self.batches.len() as f64;
+        let error = |[sum, squares]: [f64; 2]| {
+            let squares = (squares - sum * sum / n).max(0.0);
+            (squares / (n * (n - 1.0))).sqrt()
         };
-        let errors = (0..mean.len()).map(error).collect();
+        let errors = sums.into_iter().map(error).collect();
         (mean, errors)
     }
 
@@ -570,7 +575,8 @@ impl Pass<'_> {
     /// Samples of some bands, one after the other, so that all pixels have as many when the
     /// work is stopped.
     fn bands(&self, samples: Range<u32>, bands: &[u32]) -> Vec<BatchSums> {
-        let mut memories: Vec<Memory<'_>> = bands.iter().map(|_| self.memory()).collect();
+        let at_once = if self.bands_at_once { bands.len() } else { 1 };
+        let mut memories: Vec<Memory<'_>> = (0..at_once).map(|_| self.memory()).collect();
         let mut sums: Vec<BatchSums> = bands.iter().map(|&band| self.nothing(band)).collect();
         let pixels: usize = bands.iter().map(|&band| self.pixels(band).len()).sum();
         for number in samples {
@@ -580,15 +586,17 @@ impl Pass<'_> {
             // One sample of each of many pixels takes long: if it is stopped, none of them has it.
             let before = (pixels > FEW_PIXELS).then(|| sums.clone());
             let can_stop = before.is_some();
-            let add = |((&band, sums), memory): ((&u32, &mut BatchSums), &mut Memory<'_>)| {
-                self.add_samples(band, number, sums, memory, can_stop)
-            };
-            let is_whole = match self.bands_at_once {
-                true => {
-                    let all = bands.par_iter().zip(&mut sums).zip(&mut memories);
+            let mut pairs = bands.iter().zip(&mut sums);
+            let is_whole = match memories.as_mut_slice() {
+                [memory] => pairs
+                    .all(|(&band, sums)| self.add_samples(band, number, sums, memory, can_stop)),
+                memories => {
+                    let all = bands.par_iter().zip(&mut sums).zip(memories);
+                    let add = |((&band, sums), memory): ((&u32, _), _)| {
+                        self.add_samples(band, number, sums, memory, can_stop)
+                    };
                     all.map(add).reduce(|| true, |all, one| all & one)
                 }
-                false => bands.iter().zip(&mut sums).zip(&mut memories).all(add),
             };
             if let Some(before) = before.filter(|_| !is_whole) {
                 return before;

@@ -1,14 +1,15 @@
-//! Sums of which few are added to.
+//! Many sums, of which mostly few are added to.
 
 use std::ops::{AddAssign, Mul};
 
 use serde::{Deserialize, Serialize};
 
-/// So many sums have memory if one of them is not zero. A multiple of the channels of texels.
+/// So many sums that follow each other have memory together. A multiple of the channels of texels.
 const BLOCK: usize = 96;
 
-/// Sums that begin as zero. Of a large texture, some samples of an image add to a few texels: memory,
-/// and time to copy and to add, are those of the blocks in which they are.
+/// Sums that begin as zero. Those of a block have memory once one of them is added to. A few samples
+/// meet a few texels of a large texture: then memory, and the time to copy and to add, are those of
+/// a few blocks.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct SparseSums<T> {
     length: usize,
@@ -37,7 +38,7 @@ impl<T: Copy + Default + AddAssign + Mul<f64, Output = T>> SparseSums<T> {
     #[inline]
     pub fn add_each<const N: usize>(&mut self, first: usize, numbers: [T; N]) {
         const { assert!(BLOCK.is_multiple_of(N)) };
-        debug_assert!(first.is_multiple_of(N) && first + N <= self.length);
+        assert!(first.is_multiple_of(N) && first + N <= self.length);
         let sums = &mut self.block(first / BLOCK)[first % BLOCK..][..N];
         for (sum, number) in sums.iter_mut().zip(numbers) {
             *sum += number;
@@ -46,13 +47,23 @@ impl<T: Copy + Default + AddAssign + Mul<f64, Output = T>> SparseSums<T> {
 
     #[inline]
     fn block(&mut self, block: usize) -> &mut [T] {
-        let place = &mut self.places[block];
-        if *place == 0 {
-            self.sums.resize(self.sums.len() + BLOCK, T::default());
-            *place = (self.sums.len() / BLOCK) as u32;
+        if self.places[block] == 0 {
+            self.add_block(block);
         }
-        let first = (*place as usize - 1) * BLOCK;
+        let first = (self.places[block] as usize - 1) * BLOCK;
         &mut self.sums[first..first + BLOCK]
+    }
+
+    #[cold]
+    fn add_block(&mut self, block: usize) {
+        let length = self.sums.len();
+        if length == self.sums.capacity() {
+            // Twice as many, but never more than there are.
+            let rest = self.places.len() * BLOCK - length;
+            self.sums.reserve_exact(length.max(BLOCK).min(rest));
+        }
+        self.sums.resize(length + BLOCK, T::default());
+        self.places[block] = (self.sums.len() / BLOCK) as u32;
     }
 
     /// Multiplies all by a factor.
@@ -68,13 +79,22 @@ impl<T: Copy + Default + AddAssign + Mul<f64, Output = T>> SparseSums<T> {
         }
     }
 
-    /// True if there are as many of the others, wherever they come from.
+    /// True if there are as many of the others, and neither was damaged on its way from another process.
     pub fn fits(&self, next: &Self) -> bool {
-        let blocks = next.sums.len() / BLOCK;
-        let mut places = next.places.iter();
-        next.length == self.length
-            && next.places.len() == self.places.len()
-            && places.all(|&place| place as usize <= blocks)
+        self.length == next.length && self.is_sound() && next.is_sound()
+    }
+
+    /// True if each block has a place of its own.
+    fn is_sound(&self) -> bool {
+        let mut free = vec![true; self.sums.len() / BLOCK];
+        let mut places = self.places.iter().filter(|&&place| place > 0);
+        let is_free = |place: &u32| {
+            let free = free.get_mut(*place as usize - 1);
+            free.is_some_and(|free| std::mem::replace(free, false))
+        };
+        self.places.len() == self.length.div_ceil(BLOCK)
+            && places.all(is_free)
+            && self.sums.len() == BLOCK * self.blocks().count()
     }
 
     /// All of them in a list.
@@ -128,11 +148,27 @@ mod tests {
             sum.add_all(&next);
             let added: Vec<f64> = lists[0].iter().zip(&lists[1]).map(|(a, b)| a + b).collect();
             assert_eq!(sum.clone().into_list(), added);
-            let damaged = SparseSums {
-                sums: Vec::new(),
-                ..next
-            };
-            assert!(!sum.fits(&damaged));
+            assert!(sum.sums.capacity() <= sum.places.len() * BLOCK);
+            for damaged in [
+                SparseSums {
+                    sums: Vec::new(),
+                    ..next.clone()
+                },
+                SparseSums {
+                    sums: vec![0.0; next.sums.len() + 1],
+                    ..next.clone()
+                },
+                SparseSums {
+                    places: vec![1; next.places.len() + 1],
+                    ..next.clone()
+                },
+                SparseSums {
+                    places: vec![7_000_000; next.places.len()],
+                    ..next.clone()
+                },
+            ] {
+                assert!(!sum.fits(&damaged) && !damaged.fits(&sum));
+            }
         }
         // Of many of them few take memory.
         let mut few = SparseSums::<f64>::zero(1_000_000);

@@ -42,6 +42,12 @@ pub struct Scene {
     pub settings: Settings,
 }
 
+/// True if two lists share what is at a place.
+fn share<T>(first: &[Arc<T>], second: &[Arc<T>], place: usize) -> bool {
+    let pair = first.get(place).zip(second.get(place));
+    pair.is_some_and(|(first, second)| Arc::ptr_eq(first, second))
+}
+
 /// The surface a ray starts on is found again at distances around 1e-16 of the coordinates; grazing
 /// rays find it up to 1e6 times farther. Relative to the largest coordinate.
 const SELF_INTERSECTION: f64 = 1e-10;
@@ -80,36 +86,17 @@ impl Scene {
     /// Checks everything that rendering relies on. Call it on every scene that
     /// did not come from [`Scene::moved`] of a checked one.
     pub fn check(&self) -> Result<(), SceneError> {
-        self.check_unless(&|_| false, &|_| false)
+        self.check_beside(None)
     }
 
     /// [`Self::check`], if another scene has passed it: textures and meshes that both share are not
     /// looked at again.
     pub fn check_after(&self, checked: &Scene) -> Result<(), SceneError> {
-        let Scene {
-            materials,
-            emitters,
-            ..
-        } = checked;
-        // Otherwise numbers may mean something else.
-        let mean_the_same = *materials == self.materials && *emitters == self.emitters;
-        let shares_texture = |id: TextureId| {
-            let [old, new] = [checked, self].map(|scene| scene.textures.get(id.0 as usize));
-            mean_the_same && old.zip(new).is_some_and(|(old, new)| Arc::ptr_eq(old, new))
-        };
-        let shares_shape = |id: ShapeId| {
-            let [old, new] = [checked, self].map(|scene| scene.shapes.get(id.0 as usize));
-            old.zip(new).is_some_and(|(old, new)| Arc::ptr_eq(old, new))
-        };
-        self.check_unless(&shares_texture, &shares_shape)
+        self.check_beside(Some(checked))
     }
 
-    /// [`Self::check`], but for textures and meshes of which it is known.
-    fn check_unless(
-        &self,
-        is_good_texture: &dyn Fn(TextureId) -> bool,
-        has_good_mesh: &dyn Fn(ShapeId) -> bool,
-    ) -> Result<(), SceneError> {
+    /// [`Self::check`]; `checked` is a scene that has passed already, if there is one.
+    fn check_beside(&self, checked: Option<&Scene>) -> Result<(), SceneError> {
         self.film.check()?;
         self.sensor.check()?;
         self.settings.check()?;
@@ -121,7 +108,7 @@ impl Scene {
                     id: shape.id.clone(),
                 });
             }
-            if !has_good_mesh(ShapeId(index as u32)) {
+            if !checked.is_some_and(|checked| share(&checked.shapes, &self.shapes, index)) {
                 shape.mesh.check().map_err(|error| SceneError::Mesh {
                     shape: shape.id.clone(),
                     error,
@@ -152,14 +139,14 @@ impl Scene {
             }
         }
         for (index, texture) in self.textures.iter().enumerate() {
-            if !is_good_texture(TextureId(index as u32)) {
+            if !checked.is_some_and(|checked| share(&checked.textures, &self.textures, index)) {
                 texture.check()?;
             }
         }
         self.check_sizes()?;
         self.check_attributes()?;
         self.check_materials()?;
-        self.check_slots(is_good_texture)?;
+        self.check_slots(checked)?;
         let environments = self.emitters.iter().filter(|e| e.is_environment());
         if environments.count() > 1 {
             return Err(SceneError::SeveralEnvironments);
@@ -188,7 +175,14 @@ impl Scene {
 
     /// Checks that numbers are in the range of what they mean, and that shapes
     /// have what their textures ask for.
-    fn check_slots(&self, is_good: &dyn Fn(TextureId) -> bool) -> Result<(), SceneError> {
+    fn check_slots(&self, checked: Option<&Scene>) -> Result<(), SceneError> {
+        // Where materials and emitters are others, numbers may mean something else.
+        let same = checked.filter(|checked| {
+            checked.materials == self.materials && checked.emitters == self.emitters
+        });
+        let is_good = |id: TextureId| {
+            same.is_some_and(|same| share(&same.textures, &self.textures, id.0 as usize))
+        };
         for emitter in &self.emitters {
             for slot in emitter
                 .slots()

@@ -254,8 +254,8 @@ impl EnvironmentTable {
         self.within(&cell)
     }
 
-    /// Cells for some of so many lanes, each by two random numbers, with numbers that say where in
-    /// the cell.
+    /// A cell for each of some lanes, which has two random numbers: the first chooses the column,
+    /// the second the row, and what is left of them says where in the cell.
     ///
     /// Tables are larger than caches. Lanes ask together for what the next step reads: then
     /// they wait for memory once, and not one after the other.

@@ -53,8 +53,8 @@ impl Guides {
     }
 
     /// The interval of a list with the number that was looked for, and the way through it: the
-    /// first that ends beyond the number. Those without length are never chosen. From where the
-    /// search starts it takes half of [`PER_ENTRY`] steps on average, whatever the lengths are.
+    /// first that ends beyond the number. Those without length are never chosen. Over all numbers
+    /// the search takes about [`PER_ENTRY`] steps on average at most, whatever the lengths are.
     #[inline(always)]
     pub fn choose(&self, sums: &[f64], list: usize, start: Start) -> (usize, f64) {
         let sums = &sums[list * self.length..(list + 1) * self.length];

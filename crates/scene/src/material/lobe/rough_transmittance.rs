@@ -22,7 +22,7 @@ pub const NODES: usize = 64;
 ///
 /// Making one takes about 20 ms, and derivatives by each of the two take
 /// 40 ms: make it when the material changes, not at every hit.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct RoughTransmittance {
     distribution: Distribution,
     alpha: f64,
@@ -32,8 +32,14 @@ pub struct RoughTransmittance {
     by_eta: OnceLock<Numbers>,
 }
 
+impl PartialEq for RoughTransmittance {
+    fn eq(&self, other: &Self) -> bool {
+        self.is_for(other.distribution, other.alpha, other.eta)
+    }
+}
+
 /// The numbers of a table, or their derivatives.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 struct Numbers {
     transmittance: [f64; NODES],
     internal_reflectance: f64,
@@ -61,8 +67,8 @@ impl Numbers {
     }
 }
 
-/// Of roughness, and of the index's distance from 1, for derivatives; the error is of the order of its
-/// square.
+/// The step of differences for derivatives: a share of the roughness, and of the index's distance
+/// from 1. Their error is of the order of its square.
 const STEP: f64 = 1e-3;
 
 impl RoughTransmittance {
