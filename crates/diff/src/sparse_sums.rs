@@ -38,7 +38,8 @@ impl<T: Copy + Default + AddAssign + Mul<f64, Output = T>> SparseSums<T> {
     #[inline]
     pub fn add_each<const N: usize>(&mut self, first: usize, numbers: [T; N]) {
         const { assert!(BLOCK.is_multiple_of(N)) };
-        assert!(first.is_multiple_of(N) && first + N <= self.length);
+        debug_assert!(first.is_multiple_of(N));
+        assert!(first + N <= self.length);
         let sums = &mut self.block(first / BLOCK)[first % BLOCK..][..N];
         for (sum, number) in sums.iter_mut().zip(numbers) {
             *sum += number;

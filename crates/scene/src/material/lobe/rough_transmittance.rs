@@ -121,7 +121,7 @@ impl RoughTransmittance {
 
     /// Fraction of light from the direction with the cosine `cos` (0 to 1) that
     /// passes, linear between the nodes of the table. `alpha` and `eta` carry
-    /// derivatives; their values are those that the table was made for.
+    /// derivatives; their values are those that the table was made for, or close to them.
     #[inline]
     pub fn transmittance<R: Real>(&self, cos: R, alpha: R, eta: R) -> R {
         let place = cos * R::constant((NODES - 1) as f64);
@@ -146,18 +146,18 @@ impl RoughTransmittance {
         self.number(|numbers| numbers.internal_reflectance, alpha, eta)
     }
 
-    /// One of the numbers, with its derivatives.
+    /// One of the numbers, to first order around those that the table was made for.
     #[inline]
     fn number<R: Real>(&self, of: impl Fn(&Numbers) -> f64, alpha: R, eta: R) -> R {
-        let slope = |by: R, slopes: fn(&Self) -> &Numbers| match by.is_constant() {
-            true => 0.0,
-            false => of(slopes(self)),
+        let change = |by: R, made_for: f64, slopes: fn(&Self) -> &Numbers| match by.is_constant()
+            && by.value() == made_for
+        {
+            true => R::constant(0.0),
+            false => (by - R::constant(made_for)) * R::constant(of(slopes(self))),
         };
-        let slopes = [
-            (alpha, slope(alpha, Self::by_alpha)),
-            (eta, slope(eta, Self::by_eta)),
-        ];
-        R::chain(of(&self.numbers), slopes)
+        R::constant(of(&self.numbers))
+            + change(alpha, self.alpha, Self::by_alpha)
+            + change(eta, self.eta, Self::by_eta)
     }
 }
 
