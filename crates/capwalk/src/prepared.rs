@@ -632,7 +632,8 @@ impl Prepared {
 
     /// Goes over to a scene with the same names and other numbers; its methods stay chosen.
     pub(crate) fn renumber(&mut self, scene: Scene) -> Result<(), Error> {
-        (scene.check_after(self.scene())).map_err(Error::InvalidUpdate)?;
+        let checked = scene.check_after(Some(self.scene()));
+        checked.map_err(Error::InvalidUpdate)?;
         self.prepared.update(scene);
         Ok(())
     }
@@ -656,7 +657,8 @@ impl Prepared {
     /// ```
     pub fn update_scene(&mut self, scene: impl Into<Arc<Scene>>) -> Result<(), Error> {
         let scene = scene.into();
-        (scene.check_after(self.scene())).map_err(Error::InvalidUpdate)?;
+        let checked = scene.check_after(Some(self.scene()));
+        checked.map_err(Error::InvalidUpdate)?;
         self.prepared.update(scene);
         self.registry = OnceLock::new();
         self.choices = Choices::default();
@@ -882,7 +884,7 @@ mod tests {
         ];
         for (number, scene) in scenes.into_iter().enumerate() {
             let expected = scene.check().expect_err("it is wrong").to_string();
-            let found = scene.check_after(prepared.scene());
+            let found = scene.check_after(Some(prepared.scene()));
             let found = found.expect_err("it is wrong").to_string();
             assert_eq!(found, expected, "scene {number}");
             assert!(prepared.update_scene(scene).is_err());

@@ -348,10 +348,7 @@ fn check(
     sensors: &[SensorSettings],
     checked: Option<&Scene>,
 ) -> Result<(), SceneError> {
-    match checked {
-        Some(checked) => scene.check_after(checked)?,
-        None => scene.check()?,
-    }
+    scene.check_after(checked)?;
     let shapes = scene.shapes.iter().map(|shape| shape.id.as_str());
     let mut ids: HashSet<&str> = shapes.collect();
     for view in sensors {

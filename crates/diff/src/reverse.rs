@@ -11,7 +11,7 @@ use capwalk_boundary::refuse::{
 };
 use capwalk_boundary::{Boundaries, Counts, Draw, Field, Refusal, Sampler, pool};
 use capwalk_math::tape::Adjoints;
-use capwalk_math::{Rgb, Tape, Vec3};
+use capwalk_math::{Moments, Rgb, Tape, Vec3};
 use capwalk_render::tiles::{self, Sample, SampleRun};
 use capwalk_render::{
     Accumulate, Along, Differentiator, Grid, LaneTracer, MotionFacts, OrderedSum, Part, PartError,
@@ -80,23 +80,13 @@ impl Backward {
         of: impl Fn(&'s Gradient) -> N,
     ) -> (Vec<f64>, Vec<f64>) {
         let mean = of(&self.mean).as_ref().to_vec();
-        // Sums of the distances from the mean and of their squares: the batches' own mean is another
-        // one if they have not as many samples.
-        let mut sums = vec![[0.0; 2]; mean.len()];
+        let mut moments = vec![Moments::default(); mean.len()];
         for (batch, _) in &self.batches {
             let numbers = of(batch);
-            for ((sums, &x), &mean) in sums.iter_mut().zip(numbers.as_ref()).zip(&mean) {
-                let distance = x - mean;
-                sums[0] += distance;
-                sums[1] += distance * distance;
-            }
+            let pairs = moments.iter_mut().zip(numbers.as_ref());
+            pairs.for_each(|(moments, &number)| moments.add(number));
         }
-        let n = self.batches.len() as f64;
-        let error = |[sum, squares]: [f64; 2]| {
-            let squares = (squares - sum * sum / n).max(0.0);
-            (squares / (n * (n - 1.0))).sqrt()
-        };
-        let errors = sums.into_iter().map(error).collect();
+        let errors = moments.iter().map(Moments::standard_error).collect();
         (mean, errors)
     }
 

@@ -61,7 +61,7 @@ pub fn add_lobe(
 /// Where the record of what passes a rough coat starts, which is appended.
 fn add_coat(coat: &RoughTransmittance, words: &mut Vec<u32>) -> u32 {
     let at = words.len() as u32;
-    words.extend(coat.nodes().iter().copied().map(float));
+    words.extend(coat.nodes().map(float));
     let internal = coat.internal_reflectance(coat.alpha(), coat.eta());
     words.push(float(internal));
     debug_assert_eq!(words.len(), at as usize + COAT_NUMBERS);

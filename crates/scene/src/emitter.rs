@@ -4,7 +4,7 @@ pub mod delta;
 mod environment;
 mod guides;
 
-pub use environment::{EnvironmentMap, EnvironmentTable, MapPlace, mean};
+pub use environment::{EnvironmentMap, EnvironmentTable, MapPlace};
 
 use capwalk_geometry::Apex;
 use capwalk_math::{Affine, Vec3};

@@ -86,17 +86,12 @@ impl Scene {
     /// Checks everything that rendering relies on. Call it on every scene that
     /// did not come from [`Scene::moved`] of a checked one.
     pub fn check(&self) -> Result<(), SceneError> {
-        self.check_beside(None)
+        self.check_after(None)
     }
 
-    /// [`Self::check`], if another scene has passed it: textures and meshes that both share are not
+    /// [`Self::check`]. If another scene has passed it, textures and meshes that both share are not
     /// looked at again.
-    pub fn check_after(&self, checked: &Scene) -> Result<(), SceneError> {
-        self.check_beside(Some(checked))
-    }
-
-    /// [`Self::check`]; `checked` is a scene that has passed already, if there is one.
-    fn check_beside(&self, checked: Option<&Scene>) -> Result<(), SceneError> {
+    pub fn check_after(&self, checked: Option<&Scene>) -> Result<(), SceneError> {
         self.film.check()?;
         self.sensor.check()?;
         self.settings.check()?;

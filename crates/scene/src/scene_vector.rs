@@ -58,21 +58,12 @@ pub struct ShapeVectors {
 }
 
 /// Vectors of an emitter without extent; zero by default.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct EmitterVectors {
     /// The part of its position, world units (or per world unit).
     pub translation: Vec3,
     /// The part of its rotation about its position, radians (or per radian), in world axes.
     pub rotation: Vec3,
-}
-
-impl Default for EmitterVectors {
-    fn default() -> Self {
-        Self {
-            translation: Vec3::zero(),
-            rotation: Vec3::zero(),
-        }
-    }
 }
 
 impl EmitterVectors {
@@ -85,7 +76,7 @@ impl EmitterVectors {
 }
 
 /// Vectors of the sensor; zero by default.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct SensorVectors {
     /// The part of its origin, world units (or per world unit).
     pub translation: Vec3,
@@ -96,12 +87,6 @@ pub struct SensorVectors {
     pub axes: [Vec3; 3],
     /// The part of its other numbers, by [`Optic`].
     pub optics: Vec3,
-}
-
-impl Default for SensorVectors {
-    fn default() -> Self {
-        Self::from_vectors([Vec3::zero(); 6])
-    }
 }
 
 impl SensorVectors {

@@ -4,7 +4,7 @@
 mod bitmap;
 
 pub(crate) use bitmap::bilinear;
-pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap};
+pub use bitmap::{Bitmap, TexelFilter, UvTransform, Wrap, between};
 
 use capwalk_math::elementary::floor;
 use capwalk_math::{Real, Rgb};

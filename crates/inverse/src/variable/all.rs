@@ -80,7 +80,7 @@ impl Variables {
             }
             match &variable.map {
                 Map::Line { tangent, from } => {
-                    line.add(&tangent.scaled(values[range.start] - from));
+                    line.add_scaled(tangent, values[range.start] - from);
                 }
                 Map::Vertices(vertices) => line.add(&vertices.push(base, &values[range])),
                 Map::Turn { axes } => line.add(&turn(base, axes, &values[range])),
@@ -110,7 +110,7 @@ impl Variables {
             let velocities = &velocities[range.clone()];
             match &variable.map {
                 Map::Array(array) => tangent.add(&array.tangent(scene, velocities)),
-                Map::Line { tangent: line, .. } => tangent.add(&line.scaled(velocities[0])),
+                Map::Line { tangent: line, .. } => tangent.add_scaled(line, velocities[0]),
                 Map::Vertices(vertices) => tangent.add(&vertices.push(base, velocities)),
                 Map::Pose { shape, parts } => {
                     let pose = self.poses(values)[shape];

@@ -4,7 +4,8 @@ use capwalk_boundary::Streams;
 use capwalk_geometry::simd::{Computation, Simd};
 use capwalk_math::{Rgb, Vec3};
 use capwalk_scene::Texture;
-use capwalk_scene::emitter::{EnvironmentTable, MapPlace, mean};
+use capwalk_scene::emitter::{EnvironmentTable, MapPlace};
+use capwalk_scene::texture::between;
 
 use crate::lanes::lit::{Lit, SkyPoint};
 use crate::lanes::vectors::{LANES, Vectors, lanes_of};
@@ -37,7 +38,7 @@ impl Sky<'_> {
         for lane in lanes_of(lanes) {
             let ((texels, along), place) = (around[lane], places[lane]);
             let point = SkyPoint {
-                radiance: mean(texels, along) * self.scale,
+                radiance: between(texels, along) * self.scale,
                 pdf: map_pdf(self.table, &place),
                 place,
             };

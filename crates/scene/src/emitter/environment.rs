@@ -9,7 +9,7 @@ use capwalk_math::{Affine, Real, Rgb, Vec3};
 use serde::{Deserialize, Serialize};
 
 use super::guides::{Guides, Start};
-use crate::texture::{Texture, bilinear};
+use crate::texture::{Texture, between, bilinear};
 
 /// Where the texels of an environment map are.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -37,7 +37,7 @@ impl EnvironmentMap {
     #[inline(always)]
     pub fn at<R: Real>(&self, place: &MapPlace<R>, texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
         let (corners, along) = self.corners(place);
-        mean(corners.map(texel), along)
+        between(corners.map(texel), along)
     }
 
     /// The texels whose mean [`Self::at`] is, with their weights.
@@ -99,15 +99,6 @@ impl EnvironmentMap {
         let local = Vec3::new(sin_azimuth * sin, cos, -cos_azimuth * sin);
         self.world_from_map.vector(local)
     }
-}
-
-/// The mean of the texels around a place, see [`EnvironmentMap::corners`].
-#[inline(always)]
-pub fn mean<R: Real>(texels: [Rgb<R>; 4], [s, t]: [R; 2]) -> Rgb<R> {
-    let [first_left, first_right, second_left, second_right] = texels;
-    let first = first_left + (first_right - first_left) * s;
-    let second = second_left + (second_right - second_left) * s;
-    first + (second - first) * t
 }
 
 /// A direction, as a map has it.

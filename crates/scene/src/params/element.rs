@@ -74,7 +74,7 @@ impl ElementSum {
         let Place::Positions(id) = array.place else {
             let mut velocities = vec![0.0; array.count()];
             velocities[numbers].fill(1.0);
-            others.add(&array.tangent(scene, &velocities).scaled(factor));
+            others.add_scaled(&array.tangent(scene, &velocities), factor);
             return;
         };
         let known = self

@@ -126,15 +126,13 @@ impl Bitmap {
     /// The value at texture coordinates `uv`. `texel` is asked for texels
     /// counted row by row.
     pub fn lookup<R: Real>(&self, uv: [R; 2], mut texel: impl FnMut(usize) -> Rgb<R>) -> Rgb<R> {
-        let ([first, second], [s, t]) = match self.corners(uv) {
-            Corners::One(index) => return texel(index),
-            Corners::Four { rows, along } => (rows, along),
-        };
-        let [first, second] = [first, second].map(|row| {
-            let [left, right] = row.map(&mut texel);
-            left + (right - left) * s
-        });
-        first + (second - first) * t
+        match self.corners(uv) {
+            Corners::One(index) => texel(index),
+            Corners::Four {
+                rows: [[a, b], [c, d]],
+                along,
+            } => between([a, b, c, d].map(texel), along),
+        }
     }
 
     /// The texels that [`Self::lookup`] adds up, with their weights.
@@ -180,6 +178,13 @@ impl Bitmap {
             }
         }
     }
+}
+
+/// The bilinear mean of four texels, row by row, so far along from the first of them.
+#[inline(always)]
+pub fn between<R: Real>([a, b, c, d]: [Rgb<R>; 4], [s, t]: [R; 2]) -> Rgb<R> {
+    let (first, second) = (a + (b - a) * s, c + (d - c) * s);
+    first + (second - first) * t
 }
 
 /// The weights of four texels, row by row, at fractions of the way from the first of them.

@@ -105,8 +105,8 @@ impl RoughTransmittance {
     }
 
     /// The fraction that passes from outside, at cosines from 0 to 1 in equal steps.
-    pub fn nodes(&self) -> &[f64; NODES] {
-        &self.numbers.transmittance
+    pub fn nodes(&self) -> impl Iterator<Item = f64> {
+        self.numbers.transmittance.iter().copied()
     }
 
     /// The roughness that it was made for.
