@@ -3,7 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use capwalk_geometry::{
-    BUNDLE, HalfSpace, Halt, Halted, Hit, Mesh, Ray, RayTree, Wedge, WedgePoint,
+    BUNDLE, HalfSpace, Halt, Halted, Hit, Mesh, Ray, RayTree, Shadow, Wedge, WedgePoint,
 };
 use capwalk_math::Vec3;
 use capwalk_scene::lobe::Event;
@@ -236,6 +236,23 @@ impl Accel {
     pub(crate) fn is_free(&self, ray: Ray, distance: f64) -> bool {
         let t_max = distance * (1.0 - SHORT_OF_TARGET);
         !self.rays.occluded(&Ray { t_max, ..ray })
+    }
+
+    /// What the face hides that is first seen from a point on a surface in a direction: the part of it in front of
+    /// the plane through the point with this unit normal, and not in that plane. There, no ray from the point is free.
+    pub(crate) fn shadow_before(
+        &self,
+        from: Vec3,
+        direction: Vec3,
+        normal: Vec3,
+    ) -> Option<Shadow> {
+        let hit = self.rays.first_hit(&self.surface_ray(from, direction))?;
+        let corners = self.mesh.corners(hit.face as usize);
+        let shadow = Shadow::of_face(from, corners, self.self_distance)?;
+        Some(shadow.in_front_of(HalfSpace {
+            point: from + normal * (2.0 * self.self_distance),
+            normal,
+        }))
     }
 
     /// The distances between which something is in the way of each ray of a bundle from points on

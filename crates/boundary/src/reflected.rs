@@ -9,7 +9,7 @@
 //! themselves, so the field stays continuous.
 
 use capwalk_geometry::topology::COPLANAR;
-use capwalk_geometry::{ConeQuery, HalfSpace, Hit, Ray, SilhouettePoint};
+use capwalk_geometry::{ConeQuery, HalfSpace, Hit, Ray, Sight, SilhouettePoint};
 use capwalk_math::{Real, Vec3, sphere};
 use capwalk_scene::lobe::Event;
 use capwalk_walk::{Domain, Nearest, Sphere};
@@ -74,7 +74,7 @@ impl SpecularRay {
 /// rounding.
 pub const SAME_MIRROR: f64 = 4.0 * COPLANAR;
 
-impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
+impl<R: Real, F: Sight> ReflectedSphere<'_, R, F> {
     /// The ray before any event.
     fn first_ray(&self, direction: Vec3) -> SpecularRay {
         let viewpoint = self.viewpoint.position.value();
@@ -131,7 +131,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
             self.direct.queries.set(self.direct.queries.get() + 1);
             let is_seen = |point: &SilhouettePoint| self.mirrors_towards(&behind, point).is_some();
             // Keep the closest edge point to which the specular chain leads.
-            if let Some(point) = self.direct.tree.closest_where(&query, is_seen) {
+            if let Some(point) = self.direct.tree.closest_where(&query, &is_seen) {
                 let mirrors = self.mirrors_towards(&behind, &point);
                 let direction = self.reflected_back(&behind, point.direction);
                 *best = Some(Nearest {
@@ -196,7 +196,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ReflectedSphere<'_, R, F> {
     }
 }
 
-impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ReflectedSphere<'_, R, F> {
+impl<R: Real, F: Sight> Domain for ReflectedSphere<'_, R, F> {
     type Vector = Vec3;
     type Site = Seen;
 

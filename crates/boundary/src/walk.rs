@@ -4,7 +4,7 @@
 
 use std::cell::Cell;
 
-use capwalk_geometry::{ConeQuery, EdgeSelection, SilhouettePoint};
+use capwalk_geometry::{ConeQuery, EdgeSelection, Shadow, Sight, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
@@ -51,7 +51,7 @@ pub fn walk_value<R: Real>(
 pub(crate) fn sphere<'e, R: Real>(
     field: &'e Field,
     viewpoint: &'e Viewpoint<R>,
-) -> ReflectedSphere<'e, R, impl Fn(&SilhouettePoint) -> bool> {
+) -> ReflectedSphere<'e, R, impl Sight> {
     ReflectedSphere {
         direct: direct_sphere(field, viewpoint),
         field,
@@ -63,7 +63,7 @@ pub(crate) fn sphere<'e, R: Real>(
 pub fn direct_sphere<'e, R: Real>(
     field: &'e Field,
     viewpoint: &'e Viewpoint<R>,
-) -> Sphere<'e, impl Fn(&SilhouettePoint) -> bool> {
+) -> Sphere<'e, impl Sight> {
     let (accel, boundaries) = (field.accel, field.boundaries);
     let position = viewpoint.position.value();
     // A camera with parallel rays sees directions from the origin of image space.
@@ -71,18 +71,11 @@ pub fn direct_sphere<'e, R: Real>(
         None => (boundaries.tree(), position),
         Some(_) => (boundaries.image_tree(), Vec3::zero()),
     };
-    // Leave out what is hidden, from the camera also what its clip planes cut off. The horizon
-    // counts without a ray: along the plane of a face, rounding decides what a ray hits.
     let is_camera = viewpoint.visibility == Visibility::Camera;
-    let is_seen = move |point: &SilhouettePoint| {
-        let (_, distance) = field.located(viewpoint, apex, point);
-        match is_camera {
-            true => accel.camera_sees(position, point.direction, distance),
-            false => {
-                field.horizon(viewpoint, point).is_some()
-                    || accel.surface_sees(position, point.direction, distance)
-            }
-        }
+    let seen = SeenFrom {
+        field,
+        viewpoint,
+        apex,
     };
     Sphere {
         tree,
@@ -90,8 +83,66 @@ pub fn direct_sphere<'e, R: Real>(
         edges: viewpoint.selection,
         groups: viewpoint.group,
         in_front_of: is_camera.then(|| accel.behind_near_plane()).flatten(),
-        counts: (viewpoint.visibility != Visibility::All).then_some(is_seen),
+        counts: (viewpoint.visibility != Visibility::All).then_some(seen),
         queries: Cell::new(0),
+    }
+}
+
+/// What a viewpoint sees without a specular event.
+struct SeenFrom<'e, R> {
+    field: &'e Field<'e>,
+    viewpoint: &'e Viewpoint<R>,
+    /// In the space of the tree.
+    apex: Vec3,
+}
+
+impl<R: Real> Sight for SeenFrom<'_, R> {
+    /// Leaves out what is hidden, from the camera also what its clip planes cut off. The horizon
+    /// counts without a ray: along the plane of a face, rounding decides what a ray hits.
+    fn sees(&self, point: &SilhouettePoint) -> bool {
+        let (field, viewpoint) = (self.field, self.viewpoint);
+        let position = viewpoint.position.value();
+        let (_, distance) = field.located(viewpoint, self.apex, point);
+        match viewpoint.visibility {
+            Visibility::Camera => (field.accel).camera_sees(position, point.direction, distance),
+            Visibility::Surface | Visibility::All => {
+                field.horizon(viewpoint, point).is_some()
+                    || (field.accel).surface_sees(position, point.direction, distance)
+            }
+        }
+    }
+
+    fn shadow(&self, point: &SilhouettePoint) -> Option<Shadow> {
+        let viewpoint = self.viewpoint;
+        let normal = viewpoint.face_normal?;
+        let side = normal * normal.dot(point.direction).signum();
+        let is_surface = viewpoint.visibility == Visibility::Surface;
+        let position = viewpoint.position.value();
+        let shadow = || (self.field.accel).shadow_before(position, point.direction, side);
+        is_surface.then(shadow)?
+    }
+}
+
+/// What is seen from a point of a specular face after an event. The face's own edges do not count.
+struct SeenBehind<'e> {
+    field: &'e Field<'e>,
+    viewpoint: &'e Viewpoint<f64>,
+    leaving: &'e Leaving,
+}
+
+impl Sight for SeenBehind<'_> {
+    fn sees(&self, point: &SilhouettePoint) -> bool {
+        let from = self.viewpoint.position;
+        self.field.horizon(self.viewpoint, point).is_none()
+            && (self.field.accel).sees_leaving(self.leaving, from, point.direction, point.distance)
+    }
+
+    /// Only in front of the face, for rays that dip begin elsewhere.
+    fn shadow(&self, point: &SilhouettePoint) -> Option<Shadow> {
+        let (normal, from) = (self.leaving.normal(), self.viewpoint.position);
+        self.field
+            .accel
+            .shadow_before(from, point.direction, normal)
     }
 }
 
@@ -121,10 +172,6 @@ impl Field<'_> {
         mut limit: f64,
     ) -> Option<SilhouettePoint> {
         let viewpoint = Viewpoint::towards_surfaces(position, leaving.normal(), 0);
-        let counts = |point: &SilhouettePoint| {
-            self.horizon(&viewpoint, point).is_none()
-                && (self.accel).sees_leaving(leaving, position, point.direction, point.distance)
-        };
         let mut found = None;
         for (groups, edges) in seen_by_chains(last) {
             let query = ConeQuery {
@@ -135,7 +182,12 @@ impl Field<'_> {
                 groups,
                 in_front_of: None,
             };
-            if let Some(point) = self.boundaries.tree().closest_where(&query, counts) {
+            let seen = SeenBehind {
+                field: self,
+                viewpoint: &viewpoint,
+                leaving,
+            };
+            if let Some(point) = self.boundaries.tree().closest_where(&query, &seen) {
                 limit = point.angle;
                 found = Some(point);
             }

@@ -36,7 +36,7 @@ pub use mesh::{Mesh, MeshError};
 pub use query::buffers;
 pub use query::{
     BUNDLE, Bundle, ConeQuery, EdgeSelection, EdgeSubset, HalfSpace, MeshSphere, PacketTree,
-    RayTree, SilhouettePoint, SilhouetteTree,
+    RayTree, Shadow, Sight, SilhouettePoint, SilhouetteTree,
 };
 pub use ray::{Hit, Ray};
 pub use shown::shown;

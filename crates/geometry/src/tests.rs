@@ -5,6 +5,7 @@ mod bundles;
 mod meshes;
 mod packets;
 mod rays;
+mod shadows;
 mod silhouettes;
 mod spheres;
 mod wedges;

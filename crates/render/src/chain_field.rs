@@ -18,7 +18,7 @@ use std::f64::consts::PI;
 use capwalk_boundary::{
     BoundarySample, Field, Numbers, Viewpoint, Warp, direct_sphere, seen_by_chains,
 };
-use capwalk_geometry::{Ray, SilhouettePoint};
+use capwalk_geometry::{Ray, Sight, SilhouettePoint};
 use capwalk_math::{Dual, Frame, Real, Vec3, sphere};
 use capwalk_scene::lobe::Event;
 use capwalk_walk::{Domain, Nearest, Sphere, WalkSettings, sample_field, sample_value};
@@ -147,7 +147,7 @@ impl<R: Real> ChainField<'_, R> {
         &'s self,
         viewpoints: &'s [Viewpoint<R>; 2],
         settings: &WalkSettings,
-    ) -> ChainSphere<'s, R, impl Fn(&SilhouettePoint) -> bool> {
+    ) -> ChainSphere<'s, R, impl Sight> {
         let [all, silhouettes] = viewpoints;
         ChainSphere {
             chain: self,
@@ -159,7 +159,7 @@ impl<R: Real> ChainField<'_, R> {
     }
 }
 
-impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ChainSphere<'_, R, F> {
+impl<R: Real, F: Sight> ChainSphere<'_, R, F> {
     /// The rays of a direction after each event, as long as its surfaces have them.
     fn links(&self, q: Vec3) -> impl Iterator<Item = AfterLink> {
         let accel = self.chain.field.accel;
@@ -236,7 +236,7 @@ impl<R: Real, F: Fn(&SilhouettePoint) -> bool> ChainSphere<'_, R, F> {
     }
 }
 
-impl<R: Real, F: Fn(&SilhouettePoint) -> bool> Domain for ChainSphere<'_, R, F> {
+impl<R: Real, F: Sight> Domain for ChainSphere<'_, R, F> {
     type Vector = Vec3;
     type Site = Site;
 

@@ -2,7 +2,9 @@
 
 use std::cell::Cell;
 
-use capwalk_geometry::{ConeQuery, EdgeSelection, HalfSpace, SilhouettePoint, SilhouetteTree};
+use capwalk_geometry::{
+    ConeQuery, EdgeSelection, HalfSpace, Sight, SilhouettePoint, SilhouetteTree,
+};
 use capwalk_math::{Frame, Vec3, sphere};
 
 use crate::domain::{Domain, Nearest};
@@ -41,7 +43,7 @@ impl<'a> Sphere<'a> {
     }
 }
 
-impl<F: Fn(&SilhouettePoint) -> bool> Domain for Sphere<'_, F> {
+impl<F: Sight> Domain for Sphere<'_, F> {
     type Vector = Vec3;
     type Site = SilhouettePoint;
 

@@ -1,9 +1,9 @@
-use capwalk_geometry::Edge;
 use capwalk_geometry::edge::closest_direction;
+use capwalk_geometry::{Edge, Mesh};
 use capwalk_math::{Affine, Frame};
-use capwalk_scene::lobe::Conductor;
-use capwalk_scene::primitive::icosphere;
-use capwalk_scene::{Film, Scene, SensorModel, ShadingNormals, Texture, builtin};
+use capwalk_scene::lobe::{Conductor, Event};
+use capwalk_scene::primitive::{cube, icosphere, rectangle};
+use capwalk_scene::{Film, Scene, SensorModel, ShadingNormals, Shape, Texture, builtin};
 use capwalk_walk::Domain;
 
 use super::*;
@@ -62,7 +62,7 @@ fn images_are_seen_through_windows() {
     let view = scenes[0].sensor.view(&scenes[0].film);
     let [width, height] = scenes[0].film.size.map(f64::from);
     let mut images = 0;
-    for i in 0..2000 {
+    for i in 0..4000 {
         // A lattice that fills the film evenly.
         let at = [0.754_877_666, 0.569_840_291].map(|a| (f64::from(i) * a).fract());
         let q = view.direction([width * at[0], height * at[1]]);
@@ -176,6 +176,124 @@ fn low_directions(waves: f64, mut ask: impl FnMut(&Field, &Viewpoint<f64>, Vec3)
         points += 1;
     }
     assert!(points > 50, "{points}");
+}
+
+/// A search that knows what faces hide finds what one that asks for every edge does: from both sides of all surfaces of
+/// a room in which a ball lies, a cube stands on the floor and a plate cuts it, in all directions. It asks for two thirds
+/// at most.
+#[test]
+fn what_is_in_shadows_is_not_seen() {
+    let mut scene = builtin::scene("box-room").expect("built in");
+    let bsdf = scene.shapes[0].bsdf;
+    let put = |place| Affine::translate(place) * Affine::scale(Vec3::splat(0.25));
+    for (name, mesh, place) in [
+        ("lying", icosphere(16), Vec3::new(0.5, 0.25, 0.5)),
+        (
+            "standing",
+            cube(Affine::IDENTITY).0,
+            Vec3::new(-0.6, 0.25, 0.5),
+        ),
+        (
+            "cutting",
+            rectangle(Affine::scale(Vec3::splat(2.0))).0,
+            Vec3::new(-0.3, 0.1, 0.8),
+        ),
+    ] {
+        let positions = mesh.positions.iter().map(|&p| put(place).point(p));
+        let mesh = Mesh {
+            positions: positions.collect(),
+            ..mesh
+        };
+        scene.add_shape(Shape::new(name, mesh, ShadingNormals::Face, bsdf));
+    }
+    let accel = Accel::new(scene);
+    let boundaries = Boundaries::new(&accel);
+    let field = Field::new(&accel, &boundaries, Method::Walk);
+    let number = |i: usize, k: u32| (i as f64 * f64::from(2 * k + 3).sqrt() * 0.618_034).fract();
+    let asked = [Cell::new(0), Cell::new(0)];
+    let (mut found, mut low, mut level) = (0, 0, 0);
+    for i in 0..4000 {
+        // From all surfaces; and from before the plate, at the height of the cube's upper edges behind it.
+        let is_level = i % 4 == 0;
+        let face = (number(i, 0) * accel.mesh.faces.len() as f64) as usize;
+        let face = if i % 2 == 0 { face } else { i / 2 % 60 };
+        let [a, b, c] = accel.mesh.corners(face);
+        let weight = number(i, 1);
+        let (position, normal) = match is_level {
+            true => (Vec3::new(weight - 1.1, 0.5, 0.95), Vec3::new(0.0, 1.0, 0.0)),
+            false => (
+                a + (b - a) * (weight * number(i, 2)) + (c - a) * (1.0 - weight),
+                accel.mesh.face_cross(face).normalized(),
+            ),
+        };
+        let side = if i % 3 == 0 { -1.0 } else { 1.0 };
+        let normal = normal * side;
+        let viewpoint = Viewpoint::towards_surfaces(position, normal, 0);
+        let leaving = Leaving::after(Event::Reflect, face as u32, normal);
+        let axis = Vec3::new(number(i, 3), number(i, 4), number(i, 5)) - Vec3::splat(0.5);
+        let axis = match is_level {
+            true => Vec3::new(-0.6, 0.5, 0.5) + axis * 0.2 - position,
+            false => axis,
+        };
+        let from = SeenFrom {
+            field: &field,
+            viewpoint: &viewpoint,
+            apex: position,
+        };
+        let behind = SeenBehind {
+            field: &field,
+            viewpoint: &viewpoint,
+            leaving: &leaving,
+        };
+        let query = ConeQuery {
+            apex: position,
+            axis: axis.normalized(),
+            max_angle: 2.0,
+            edges: EdgeSelection::All,
+            groups: u8::MAX,
+            in_front_of: None,
+        };
+        for sight in [&from as &dyn Sight, &behind] {
+            let count = |asked: &Cell<u32>| asked.set(asked.get() + 1);
+            let every = |point: &SilhouettePoint| {
+                count(&asked[0]);
+                sight.sees(point)
+            };
+            let counted = Counted {
+                sight,
+                asked: &asked[1],
+            };
+            let tree = boundaries.tree();
+            let expected = tree.closest_where(&query, &every);
+            assert_eq!(tree.closest_where(&query, &counted), expected, "{i}");
+            found += usize::from(expected.is_some());
+            low += usize::from(expected.is_some_and(|it| it.direction.dot(normal) < 0.0));
+            let is_seen = expected.is_some_and(|it| field.horizon(&viewpoint, &it).is_some());
+            level += usize::from(is_level && is_seen);
+        }
+    }
+    let asked = asked.map(Cell::into_inner);
+    assert!(
+        found > 3000 && low > 500 && level > 500 && 3 * asked[1] < 2 * asked[0],
+        "{found}, {low}, {level}, {asked:?}"
+    );
+}
+
+/// Counts what is asked for.
+struct Counted<'a> {
+    sight: &'a dyn Sight,
+    asked: &'a Cell<u32>,
+}
+
+impl Sight for Counted<'_> {
+    fn sees(&self, point: &SilhouettePoint) -> bool {
+        self.asked.set(self.asked.get() + 1);
+        self.sight.sees(point)
+    }
+
+    fn shadow(&self, point: &SilhouettePoint) -> Option<Shadow> {
+        self.sight.shadow(point)
+    }
 }
 
 /// The edges of a point's own face are its horizon, all around it: no direction above it is farther

@@ -3,7 +3,7 @@
 
 use super::cone_node::{ConeNode, SIN_STEP};
 use super::lanes::{cross, dot, groups_mask, load_i8, load_i16, reject, splat, sub};
-use super::local_cone::LocalCone;
+use super::local_cone::{LocalCone, LocalPlane};
 use super::oriented_box::{FIRST_SCALE, SECOND_SCALE};
 use super::pseudo_angle::{BOUND_SHRINK, Limit};
 use crate::bvh::WIDTH;
@@ -33,24 +33,10 @@ impl<S: Simd> LocalCone<S> {
         let (zero, one) = (simd.splat(0.0), simd.splat(1.0));
         let mut mask = groups_mask(&node.groups, self.groups);
         let step = simd.splat(node.step);
-        let base = sub(splat(simd, node.origin), self.apex);
-        let centre = load_i16(simd, &node.centre);
-        let view = [
-            centre[0].mul_add(step, base[0]),
-            centre[1].mul_add(step, base[1]),
-            centre[2].mul_add(step, base[2]),
-        ];
-        let first = load_i16(simd, &node.first);
-        let second = load_i8(simd, &node.second);
         let half = load_i16(simd, &node.half);
-        let tight = Boxes {
-            axes: [first, second, cross(first, second)],
-            half: [
-                half[0] * simd.splat(node.step / FIRST_SCALE),
-                half[1] * simd.splat(node.step / SECOND_SCALE),
-                half[2] * simd.splat(node.step / (FIRST_SCALE * SECOND_SCALE)),
-            ],
-        };
+        let view = self.view(simd, node);
+        let tight = Boxes::new(simd, node, half);
+        let first = tight.axes[0];
         // In any direction.
         let reach = (half[0] + half[1] + half[2]) * simd.splat(AXIS_LENGTH * node.step);
 
@@ -113,6 +99,33 @@ impl<S: Simd> LocalCone<S> {
         }
         (mask, bound.to_array())
     }
+
+    /// Which children are wholly in front of all of these planes.
+    #[inline(always)]
+    pub fn in_front_of_all(&self, simd: S, node: &ConeNode, planes: &[LocalPlane]) -> u32 {
+        let view = self.view(simd, node);
+        let boxes = Boxes::new(simd, node, load_i16(simd, &node.half));
+        let mut mask = u32::MAX;
+        for plane in planes {
+            let normal = splat(simd, plane.normal);
+            let nearest = dot(normal, view) - boxes.reach(normal);
+            mask &= simd.splat(plane.offset + plane.margin).lt(nearest);
+        }
+        mask
+    }
+
+    /// The centres of a node's boxes, seen from the apex.
+    #[inline(always)]
+    fn view(&self, simd: S, node: &ConeNode) -> [S::F32x8; 3] {
+        let step = simd.splat(node.step);
+        let base = sub(splat(simd, node.origin), self.apex);
+        let centre = load_i16(simd, &node.centre);
+        [
+            centre[0].mul_add(step, base[0]),
+            centre[1].mul_add(step, base[1]),
+            centre[2].mul_add(step, base[2]),
+        ]
+    }
 }
 
 /// Eight boxes: their axes in units of what is stored, and half their extents,
@@ -123,6 +136,21 @@ struct Boxes<F> {
 }
 
 impl<F: F32x8> Boxes<F> {
+    /// The boxes of a node, half whose extents are these.
+    #[inline(always)]
+    fn new<S: Simd<F32x8 = F>>(simd: S, node: &ConeNode, half: [F; 3]) -> Self {
+        let first = load_i16(simd, &node.first);
+        let second = load_i8(simd, &node.second);
+        Self {
+            axes: [first, second, cross(first, second)],
+            half: [
+                half[0] * simd.splat(node.step / FIRST_SCALE),
+                half[1] * simd.splat(node.step / SECOND_SCALE),
+                half[2] * simd.splat(node.step / (FIRST_SCALE * SECOND_SCALE)),
+            ],
+        }
+    }
+
     /// How far the boxes reach from their centres along vectors, times the
     /// vectors' lengths.
     #[inline(always)]

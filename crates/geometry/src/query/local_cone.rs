@@ -2,7 +2,7 @@
 
 use capwalk_math::{Frame, Vec3};
 
-use super::cone_query::{ConeQuery, EdgeSelection};
+use super::cone_query::{ConeQuery, EdgeSelection, HalfSpace};
 use super::lanes::splat;
 use crate::aabb::round_up;
 use crate::edge::ON_PLANE;
@@ -26,6 +26,29 @@ pub struct LocalPlane {
 /// some thirty terms of at most that size, each rounded by at most 2⁻²⁴.
 const POSITION_MARGIN: f64 = 1.0 / (1 << 19) as f64;
 
+/// Everything in a tree is nearer to a point in its coordinates than this.
+fn range(apex: Vec3) -> f64 {
+    sum(apex) + 3.0
+}
+
+fn sum(p: Vec3) -> f64 {
+    p.x.abs() + p.y.abs() + p.z.abs()
+}
+
+impl LocalPlane {
+    /// A plane as it is seen from an apex.
+    pub fn new(frame: &LocalFrame, apex: Vec3, plane: &HalfSpace) -> Self {
+        let apex = frame.local_from_world(apex);
+        let normal = plane.normal.normalized();
+        let offset = frame.local_from_world(plane.point).dot(normal);
+        Self {
+            normal: [normal.x as f32, normal.y as f32, normal.z as f32],
+            offset: (offset - apex.dot(normal)) as f32,
+            margin: round_up(POSITION_MARGIN * (range(apex) + offset.abs())),
+        }
+    }
+}
+
 /// A view cone in the coordinates of a tree.
 pub struct LocalCone<S: Simd> {
     pub apex: [S::F32x8; 3],
@@ -48,23 +71,13 @@ impl<S: Simd> LocalCone<S> {
     /// The cone of a query, in a tree's coordinates and single precision.
     #[inline(always)]
     pub fn new(simd: S, frame: &LocalFrame, query: &ConeQuery) -> Self {
-        let sum = |p: Vec3| p.x.abs() + p.y.abs() + p.z.abs();
         let apex = frame.local_from_world(query.apex);
-        // Everything in the tree is nearer to the apex than this.
-        let range = sum(apex) + 3.0;
-        let margin = POSITION_MARGIN * range;
+        let margin = POSITION_MARGIN * range(apex);
         let on_plane = ON_PLANE * (sum(query.apex) + frame.reach) * frame.inverse_scale;
         let axis = query.axis;
         let Frame { s, t, .. } = Frame::from_normal(axis);
-        let in_front_of = query.in_front_of.map(|plane| {
-            let normal = plane.normal.normalized();
-            let offset = frame.local_from_world(plane.point).dot(normal);
-            LocalPlane {
-                normal: [normal.x as f32, normal.y as f32, normal.z as f32],
-                offset: (offset - apex.dot(normal)) as f32,
-                margin: round_up(margin + POSITION_MARGIN * offset.abs()),
-            }
-        });
+        let in_front_of = query.in_front_of;
+        let in_front_of = in_front_of.map(|plane| LocalPlane::new(frame, query.apex, &plane));
         Self {
             apex: splat(simd, [apex.x as f32, apex.y as f32, apex.z as f32]),
             axis: splat(simd, [axis.x as f32, axis.y as f32, axis.z as f32]),

@@ -151,7 +151,7 @@ fn check(
         }
         let accept = |point: &SilhouettePoint| point.edge % 3 == 1;
         let expected = oracle::closest_silhouette_where(mesh, edges, query, accept);
-        prop_assert_eq!(tree.closest_where(query, accept), expected, "{:?}", query);
+        prop_assert_eq!(tree.closest_where(query, &accept), expected, "{:?}", query);
         let expected = oracle::gather(mesh, edges, query);
         let found = gathered(tree, query);
         for tree in &slower {
@@ -304,8 +304,8 @@ fn refitted_trees_answer_like_new_ones() {
             assert_eq!(found, new.closest(&query), "{name}, {query:?}");
             let counts = |point: &SilhouettePoint| point.edge.is_multiple_of(3);
             assert_eq!(
-                tree.closest_where(&query, counts),
-                new.closest_where(&query, counts),
+                tree.closest_where(&query, &counts),
+                new.closest_where(&query, &counts),
                 "{name}, {query:?}"
             );
             let gathered = sorted(gathered(&tree, &query));
