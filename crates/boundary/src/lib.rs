@@ -78,6 +78,6 @@ pub use refusal::Refusal;
 pub use silhouette_pieces::{EdgePoint, PARALLEL, SilhouettePieces, clip, place};
 pub use touching::touching;
 pub use viewpoint::{CREASED, EMITTED, ROUND, SEEN, SMOOTH, Viewpoint, Visibility};
-pub use walk::{direct_sphere, seen_by_chains};
+pub use walk::{MovingBoundaries, direct_sphere, seen_by_chains};
 pub use warp::{Dependence, Warp};
 pub use window::{AreaEmitter, Extent, MANY_CORNERS, Window};

@@ -51,6 +51,20 @@ impl Plane {
 }
 
 impl Plane {
+    /// False if a cone around an axis, with this cosine and sine of its half angle, which is at most a right
+    /// one, certainly has no direction to its mirrors; tested by the ball around their box.
+    pub(crate) fn may_be_in_cone(&self, apex: Vec3, axis: Vec3, [cos, sin]: [f64; 2]) -> bool {
+        let [low, high] = self.bounds;
+        let offset = (low + high) * 0.5 - apex;
+        // Larger by more than rounding.
+        let radius = 0.5 * (high - low).length() + SAME_PLANE * offset.length();
+        // The ball is seen in a cone of its own, whose cosine and sine these are times the distance. Outside is what
+        // is seen under more than the sum of both angles.
+        let own_cos = (offset.length_squared() - radius * radius).sqrt();
+        let is_outside = axis.dot(offset) < cos * own_cos - sin * radius;
+        !is_outside
+    }
+
     /// How large its mirrors look from a point, roughly: at most 1, above 0.
     pub(crate) fn size_from(&self, point: Vec3) -> f64 {
         let [low, high] = self.bounds;

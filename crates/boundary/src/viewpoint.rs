@@ -110,6 +110,12 @@ impl<R: Real> Viewpoint<R> {
         }
     }
 
+    /// True if it certainly does not move.
+    pub fn is_constant(&self) -> bool {
+        let vectors = self.vectors();
+        vectors.iter().all(|vector| vector.is_constant())
+    }
+
     /// The vectors on which the position of what is fixed to the viewpoint depends, with the
     /// coefficients of [`BoundarySample::shares`](crate::BoundarySample::shares).
     pub fn vectors(&self) -> [Vec3<R>; 4] {

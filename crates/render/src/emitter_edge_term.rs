@@ -5,10 +5,9 @@
 //! singular wherever the silhouette of an occluder crosses an emitter edge, and the
 //! variance would be infinite.
 
-use capwalk_boundary::{Accel, Boundaries, Numbers, Viewpoint, beside};
+use capwalk_boundary::{Accel, Boundaries, Viewpoint, beside};
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
-use capwalk_walk::WalkSettings;
 
 use crate::light::emitter_towards;
 use crate::scene_eval::{Primal, SceneEval};
@@ -32,7 +31,8 @@ pub const SHORT_OF_EDGE: f64 = 1e-9;
 /// or in front of it.
 ///
 /// `vertex` is the primal shading point and `viewpoint` the same point with its
-/// derivatives; `u` in `[0, 1)` chooses a point on the edges, uniformly by length.
+/// derivatives; `u` in `[0, 1)` chooses a point on the edges, uniformly by length, and `warped`
+/// gives the direction to it as the field moves it.
 #[allow(clippy::too_many_arguments, reason = "a formula with many symbols")]
 pub fn emitter_edge_term<R: Real, W: SceneEval<R>>(
     accel: &Accel,
@@ -41,8 +41,7 @@ pub fn emitter_edge_term<R: Real, W: SceneEval<R>>(
     viewpoint: &Viewpoint<R>,
     vertex: &Vertex<f64>,
     u: f64,
-    walk: &WalkSettings,
-    numbers: Numbers,
+    warped: impl FnOnce(Vec3) -> Vec3<R>,
     counts: impl Fn(EmitterId) -> bool,
 ) -> Rgb<R> {
     let edges = &boundaries.emitter_edges;
@@ -66,7 +65,7 @@ pub fn emitter_edge_term<R: Real, W: SceneEval<R>>(
     let offset = a + (b - a) * R::constant(t) - viewpoint.position;
     let edge = offset.normalized();
     let q = edge.value();
-    let warped = eval.warp_value(viewpoint, q, walk, numbers);
+    let warped = warped(q);
     // n dl: per unit of length along the edge ê, its projection advances by P_q ê / r
     // on the sphere, and q × ê / r is the normal times that length.
     let across = q.cross(along) / (length * offset.value().length());

@@ -24,6 +24,8 @@ pub struct MotionFacts {
     pub(crate) edge_motions: [OnceLock<Vec<Motion>>; 2],
     /// The edges that may move.
     pub(crate) moving_edges: OnceLock<EdgeSubset>,
+    /// True if a flat mirror may move.
+    pub(crate) mirrors_move: OnceLock<bool>,
     /// How much the motion differs within the planes of flat mirrors.
     pub(crate) mirror_spreads: OnceLock<Vec<f64>>,
     /// What some paths tell of chains of specular events.

@@ -296,8 +296,8 @@ impl Tracer<'_> {
                             along(next.direction, following)
                         }
                         false => {
-                            let (walk, numbers) = self.vertex_walk(depth, 1, draw);
-                            eval.warp(&viewpoint, next.direction, walk, numbers)
+                            let walk = self.vertex_walk(depth, 1, draw);
+                            self.warp(eval, &viewpoint, next.direction, walk)
                         }
                     };
                     let f = vertex.eval(warped.direction);
@@ -458,8 +458,8 @@ impl Tracer<'_> {
                         along(sample.direction, following)
                     }
                     false => {
-                        let (walk, numbers) = self.vertex_walk(depth, 2 + i, draw);
-                        eval.warp(&viewpoint, sample.direction, walk, numbers)
+                        let walk = self.vertex_walk(depth, 2 + i, draw);
+                        self.warp(eval, &viewpoint, sample.direction, walk)
                     }
                 };
                 let f = vertex.eval(warped.direction);
@@ -479,10 +479,11 @@ impl Tracer<'_> {
             if !gathers.emitters || (environment.is_some() && !gathers.environment) {
                 // What the field moves across the edges of emitters (METHOD 3).
                 let u = draw.stream.number(self.emitter_edge_number(depth));
-                let (walk, numbers) = self.vertex_walk(depth, 0, draw);
+                let walk = self.vertex_walk(depth, 0, draw);
+                let warped = |q| self.warp_value(eval, &viewpoint, q, walk);
                 let (boundaries, walks) = (field.boundaries, |id| !self.gathers(id));
                 light += emitter_edge_term(
-                    self.accel, boundaries, eval, &viewpoint, &primal, u, walk, numbers, walks,
+                    self.accel, boundaries, eval, &viewpoint, &primal, u, warped, walks,
                 );
             }
             // What moves across directions that stay, or turn (METHOD 8).

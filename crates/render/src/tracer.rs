@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 
-use capwalk_boundary::{Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, Numbers};
+use capwalk_boundary::{
+    Accel, Boundaries, Draw, EdgeSampler, Field, Gathers, Motion, MovingBoundaries, Numbers,
+    Viewpoint,
+};
 use capwalk_geometry::{EdgeSelection, EdgeSubset, Halt, Halted, uncounted};
-use capwalk_math::Real;
+use capwalk_math::{Real, Vec3};
 use capwalk_scene::EmitterId;
 use capwalk_walk::WalkSettings;
 
@@ -16,7 +19,7 @@ use crate::pixel::Supports;
 use crate::plan::Plan;
 use crate::prepared::PreparedScene;
 use crate::sampled_edges::moves;
-use crate::scene_eval::SceneEval;
+use crate::scene_eval::{SceneEval, Warped};
 
 /// The numbers of gathered edges start here, behind all others: those of the
 /// camera, then of each vertex.
@@ -246,6 +249,67 @@ impl<'a> Tracer<'a> {
         let subset = || boundaries.subset(|edge| moves(eval, boundaries, edge));
         let known = &self.facts.moving_edges;
         known.get_or_init(|| uncounted(subset))
+    }
+
+    /// False if certainly no flat mirror moves.
+    fn mirrors_move<R: Real, W: SceneEval<R>>(&self, eval: &W) -> bool {
+        let moves = |face: &[u32; 3]| face.iter().any(|&i| !eval.motion_of_point(i).is_still());
+        let any_moves = || {
+            let faces = self.accel.mesh.faces.iter().zip(&self.accel.shape_of_face);
+            let mut mirrors = faces.filter(|(_, shape)| self.accel.is_flat_mirror(**shape));
+            mirrors.any(|(face, _)| moves(face))
+        };
+        *self.facts.mirrors_move.get_or_init(any_moves)
+    }
+
+    /// A direction from a surface point that moves along the field there.
+    pub(crate) fn warp<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        (walk, numbers): (&WalkSettings, Numbers),
+    ) -> Warped<R> {
+        match self.is_out_of_reach(eval, viewpoint, q, walk) {
+            true => Warped::still(q),
+            false => eval.warp(viewpoint, q, walk, numbers),
+        }
+    }
+
+    /// [`Self::warp`] without the divergence.
+    pub(crate) fn warp_value<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        (walk, numbers): (&WalkSettings, Numbers),
+    ) -> Vec3<R> {
+        match self.is_out_of_reach(eval, viewpoint, q, walk) {
+            true => Vec3::constant(q),
+            false => eval.warp_value(viewpoint, q, walk, numbers),
+        }
+    }
+
+    /// True if the direction `q` certainly stays, for the viewpoint does and all edges to which walks come from
+    /// there: in a room where one thing moves, most are far from it. One question among few edges spares several
+    /// among all.
+    fn is_out_of_reach<R: Real, W: SceneEval<R>>(
+        &self,
+        eval: &W,
+        viewpoint: &Viewpoint<R>,
+        q: Vec3,
+        walk: &WalkSettings,
+    ) -> bool {
+        let Some(Moving { field, .. }) = &self.moving else {
+            return false;
+        };
+        W::MOVES && viewpoint.is_constant() && !eval.is_still(viewpoint) && {
+            let moving = MovingBoundaries {
+                edges: self.moving_edges(field.boundaries, eval),
+                mirrors: self.mirrors_move(eval),
+            };
+            !field.reaches(viewpoint, q, walk, moving)
+        }
     }
 
     /// How much the motion differs within each plane of flat mirrors.

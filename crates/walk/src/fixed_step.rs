@@ -80,6 +80,12 @@ impl WalkSettings {
             }
     }
 
+    /// The distance within which a sample of the field finds boundaries: each step moves a walk by at
+    /// most `max_radius`, and the last query asks as far.
+    pub fn reach(&self) -> f64 {
+        reach(self.max_radius, self.steps)
+    }
+
     /// Behind the numbers of one walk and an azimuth: those of the literal
     /// estimator's other walk.
     fn second_walk(&self) -> u32 {
@@ -179,13 +185,17 @@ pub fn sample_value<D: Domain>(
     walker.value(x, settings.steps, None, 0)
 }
 
-/// The distance within which a walk of `steps` steps can end: each step moves it by at
-/// most `max_radius`, and the last query asks as far. If there is no boundary within,
+/// [`WalkSettings::reach`] of so many steps.
+fn reach(max_radius: f64, steps: u32) -> f64 {
+    max_radius * f64::from(steps + 1)
+}
+
+/// The distance within which a walk of `steps` steps can end. If there is no boundary within,
 /// the field of `steps` steps is zero. Where the radius is no distance, what is near says nothing of
 /// what the walk comes to, and only the radius is asked for.
 fn max_distance<D: Domain>(domain: &D, settings: &WalkSettings, steps: u32) -> f64 {
     match domain.is_distance() {
-        true => settings.max_radius * f64::from(steps + 1),
+        true => reach(settings.max_radius, steps),
         false => settings.max_radius,
     }
 }

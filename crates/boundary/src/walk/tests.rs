@@ -10,6 +10,7 @@ use super::*;
 use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 use crate::method::Method;
+use crate::warp::Warp;
 
 /// The ball and its emitter, flat-shaded, over a floor that is a mirror.
 fn mirrored() -> Scene {
@@ -79,6 +80,64 @@ fn images_are_seen_through_windows() {
         images += usize::from(!seen.site.is_direct);
     }
     assert!(images > 100, "{images} images");
+}
+
+/// Where walks are said to reach nothing that moves, they find nothing that does: neither the ball, nor images of
+/// it in one mirror or two in turn, nor images in a mirror that moves itself. In most of the other places some do.
+#[test]
+fn walks_out_of_reach_find_nothing_that_moves() {
+    let mut scene = mirrored();
+    let metal = scene.shapes[0].bsdf;
+    let turned = Affine::rotate(Vec3::new(0.0, 1.0, 0.0), 0.3);
+    let (wall, normals) = rectangle(Affine::translate(Vec3::new(0.0, 1.0, -2.0)) * turned);
+    scene.add_shape(Shape::new("wall", wall, normals, metal));
+    let accel = Accel::new(scene.clone());
+    let boundaries = Boundaries::new(&accel);
+    let field = Field::new(&accel, &boundaries, Method::Walk);
+    let number = |i: u32, k: u32| (f64::from(i) * f64::from(2 * k + 3).sqrt() * 0.618_034).fract();
+    for (moving, least) in [("ball", [2500, 500, 80]), ("wall", [700, 300, 150])] {
+        let moves = |i: u32| {
+            let is_vertex = (i as usize) < accel.mesh.positions.len();
+            is_vertex && scene.shapes[accel.shape_of_vertex(i).0 as usize].id == moving
+        };
+        let edges = boundaries.subset(|edge| boundaries.edge(edge).vertices.into_iter().any(moves));
+        let reach = MovingBoundaries {
+            edges: &edges,
+            mirrors: moving == "wall",
+        };
+        // How often nothing is reached, something that moves is found, and is seen in a mirror.
+        let mut counts = [0; 3];
+        for i in 0..4000 {
+            let place = |k| 3.0 * number(i, k) - 1.5;
+            let position = Vec3::new(place(1), 0.5 * place(2) + 0.9, place(3));
+            let q = Vec3::new(place(4), place(5), place(6)).normalized();
+            let events = i % 4;
+            let up = Vec3::new(0.0, 1.0, 0.0);
+            let viewpoint: Viewpoint<f64> = Viewpoint::towards_surfaces(position, up, events);
+            let settings = WalkSettings {
+                steps: 1 + i / 4 % 2,
+                max_radius: 0.12,
+                ..WalkSettings::default()
+            };
+            let sphere = sphere(&field, &viewpoint);
+            let sample = sample_field(&sphere, q, &settings, |k| number(i, 7 + k));
+            let sample = sample.map(|seen| field.boundary_sample(&viewpoint, seen));
+            let in_mirrors = sample.terms().any(|term| !term.site.mirrors.is_empty());
+            let depends = Warp::Boundary(sample)
+                .depends(&field, moves, false)
+                .divergence;
+            let reaches = field.reaches(&viewpoint, q, &settings, reach);
+            assert!(reaches || !depends, "{moving}, {i}");
+            counts[0] += u32::from(!reaches);
+            counts[1] += u32::from(depends);
+            counts[2] += u32::from(depends && in_mirrors);
+        }
+        let is_enough = counts
+            .iter()
+            .zip(&least)
+            .all(|(count, least)| count >= least);
+        assert!(is_enough, "{moving}: {counts:?}");
+    }
 }
 
 /// The built-in ball under parallel rays, on a film of so many units' half width.

@@ -1,7 +1,9 @@
-//! All boundaries in a cone: the silhouette tree's second question, METHOD 8.
+//! All boundaries in a cone, or whether there is one: the silhouette tree's second question, METHOD 8.
 //!
 //! Nothing that is found limits the search, so it goes depth first, with the same
 //! tests of nodes and leaves as the closest silhouette and a limit that stays.
+
+use std::ops::ControlFlow;
 
 use capwalk_math::Vec3;
 
@@ -24,7 +26,31 @@ impl SilhouetteTree {
         &self,
         query: &ConeQuery,
         among: Option<&EdgeSubset>,
-        visit: impl FnMut(u32, [Vec3; 2]),
+        mut visit: impl FnMut(u32, [Vec3; 2]),
+    ) {
+        self.search(query, among, |edge, ends| {
+            visit(edge, ends);
+            ControlFlow::Continue(())
+        });
+    }
+
+    /// True if a boundary edge of a subset meets the cone.
+    pub fn meets(&self, query: &ConeQuery, among: &EdgeSubset) -> bool {
+        let mut is_met = false;
+        self.search(query, Some(among), |_, _| {
+            is_met = true;
+            ControlFlow::Break(())
+        });
+        is_met
+    }
+
+    /// Visits the boundary edges that meet the cone, until `visit` has enough.
+    #[inline]
+    fn search(
+        &self,
+        query: &ConeQuery,
+        among: Option<&EdgeSubset>,
+        visit: impl FnMut(u32, [Vec3; 2]) -> ControlFlow<()>,
     ) {
         add_effort_of(CLOSEST, self.edges.len());
         self.instructions.run(Gather {
@@ -42,7 +68,7 @@ struct Gather<'a, F> {
     query: &'a ConeQuery,
     /// Where it searches, if not everywhere.
     among: Option<&'a EdgeSubset>,
-    /// Gets each edge and its ends.
+    /// Gets each edge and its ends, and says whether it wants more.
     visit: F,
 }
 
@@ -54,7 +80,7 @@ const STACK_SIZE: usize = MAX_DEPTH * (WIDTH - 1) + WIDTH;
 /// taken without the exact test: more than the rounding of the limit itself.
 const CERTAINLY_WITHIN: f32 = 1.0 - 8.0 * f32::EPSILON;
 
-impl<F: FnMut(u32, [Vec3; 2])> Computation for Gather<'_, F> {
+impl<F: FnMut(u32, [Vec3; 2]) -> ControlFlow<()>> Computation for Gather<'_, F> {
     type Output = ();
     #[inline(always)]
     fn run<S: Simd>(mut self, simd: S) {
@@ -103,7 +129,9 @@ impl<F: FnMut(u32, [Vec3; 2])> Computation for Gather<'_, F> {
                             bounds.certain >> lane & 1 != 0 && bounds.most[lane] < certainly;
                         if is_certain || edge.closest(query, None).is_some() {
                             add_effort(FOUND);
-                            (self.visit)(edge.id, edge.ends);
+                            if (self.visit)(edge.id, edge.ends).is_break() {
+                                return;
+                            }
                         }
                     }
                 }

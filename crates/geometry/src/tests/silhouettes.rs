@@ -166,6 +166,12 @@ fn check(
             let mut among = Vec::new();
             tree.gather(query, Some(&subset), |edge, _| among.push(edge));
             let expected: Vec<u32> = found.iter().copied().filter(|&e| contains(e)).collect();
+            prop_assert_eq!(
+                tree.meets(query, &subset),
+                !expected.is_empty(),
+                "{:?}",
+                query
+            );
             prop_assert_eq!(among, expected, "{:?}", query);
         }
         prop_assert!(ends_are_right(tree, mesh, edges, query), "{:?}", query);
