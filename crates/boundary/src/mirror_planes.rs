@@ -48,15 +48,13 @@ impl Plane {
         let margin = SAME_PLANE * (centre - point).length();
         inner.dot(centre - point) + reach < -margin
     }
-}
 
-impl Plane {
     /// False if a cone around an axis, with this cosine and sine of its half angle, which is at most a right
     /// one, certainly has no direction to its mirrors; tested by the ball around their box.
     pub(crate) fn may_be_in_cone(&self, apex: Vec3, axis: Vec3, [cos, sin]: [f64; 2]) -> bool {
         let [low, high] = self.bounds;
         let offset = (low + high) * 0.5 - apex;
-        // Larger by more than rounding.
+        // Larger by what faces of one mirror may differ. Rounding is less than by what cones are wider than asked for.
         let radius = 0.5 * (high - low).length() + SAME_PLANE * offset.length();
         // The ball is seen in a cone of its own, whose cosine and sine these are times the distance. Outside is what
         // is seen under more than the sum of both angles.

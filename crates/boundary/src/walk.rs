@@ -3,9 +3,8 @@
 //! panes.
 
 use std::cell::Cell;
-use std::f64::consts::PI;
 
-use capwalk_geometry::{ConeQuery, EdgeSelection, EdgeSubset, Shadow, Sight, SilhouettePoint};
+use capwalk_geometry::{ConeQuery, EdgeSelection, Shadow, Sight, SilhouettePoint};
 use capwalk_math::{Real, Vec3};
 use capwalk_walk::{FieldSample, Sphere, WalkSettings, sample_field, sample_value};
 
@@ -46,88 +45,6 @@ pub fn walk_value<R: Real>(
     let seen = sample_value(&sphere, q, settings, |i| random.number(i));
     random.draw.count_queries(sphere.direct.queries.get());
     Some(field.boundary_sample(viewpoint, &seen?))
-}
-
-/// How much farther than a walk can reach edges are asked for, for rounding.
-const FARTHER: f64 = 1.0 + 1e-6;
-
-/// The most images in mirrors that are looked at before edges count as reached.
-const MOST_IMAGES: u32 = 16;
-
-/// What moves, as far as it is known.
-#[derive(Clone, Copy)]
-pub struct MovingBoundaries<'a> {
-    /// All edges but those that certainly do not move.
-    pub edges: &'a EdgeSubset,
-    /// False if no flat mirror moves.
-    pub mirrors: bool,
-}
-
-impl Field<'_> {
-    /// False if no walk from the direction `q` around a viewpoint comes to a boundary that moves, seen directly
-    /// or in mirrors. In doubt it is true, as it is for cameras with parallel rays and fields of someone else.
-    pub fn reaches<R: Real>(
-        &self,
-        viewpoint: &Viewpoint<R>,
-        q: Vec3,
-        settings: &WalkSettings,
-        moving: MovingBoundaries,
-    ) -> bool {
-        let max_angle = settings.reach() * FARTHER;
-        let is_known = self.method.traits().is_spherical && viewpoint.axes.is_none();
-        if !is_known || max_angle >= 0.5 * PI {
-            return true;
-        }
-        let query = ConeQuery {
-            apex: viewpoint.position.value(),
-            axis: q,
-            max_angle,
-            edges: viewpoint.selection,
-            groups: viewpoint.group,
-            in_front_of: None,
-        };
-        let mut images = 0;
-        self.is_met(&query, moving, viewpoint.events, None, &mut images)
-    }
-
-    /// True if a boundary that moves is in a cone, or in its image behind one of so many mirrors in turn. The last one
-    /// of them was `behind`; `images` counts all.
-    fn is_met(
-        &self,
-        query: &ConeQuery,
-        moving: MovingBoundaries,
-        events: u32,
-        behind: Option<usize>,
-        images: &mut u32,
-    ) -> bool {
-        if self.boundaries.tree().meets(query, moving.edges) {
-            return true;
-        }
-        if events == 0 {
-            return false;
-        }
-        let Some(mirrors) = self.accel.mirror_planes() else {
-            return true;
-        };
-        let (sin, cos) = query.max_angle.sin_cos();
-        mirrors.planes.iter().enumerate().any(|(i, plane)| {
-            // A ray does not meet the plane again that it comes from.
-            if behind == Some(i) || !plane.may_be_in_cone(query.apex, query.axis, [cos, sin]) {
-                return false;
-            }
-            // As the mirror shows it, everything moves with the mirror.
-            *images += 1;
-            if moving.mirrors || *images > MOST_IMAGES {
-                return true;
-            }
-            let image = ConeQuery {
-                apex: plane.mirror.point(query.apex),
-                axis: plane.mirror.direction(query.axis),
-                ..*query
-            };
-            self.is_met(&image, moving, events - 1, Some(i), images)
-        })
-    }
 }
 
 /// The sphere of directions around a viewpoint, bounded by edges and their mirror images.
@@ -196,13 +113,13 @@ impl<R: Real> Sight for SeenFrom<'_, R> {
     }
 
     fn shadow(&self, point: &SilhouettePoint) -> Option<Shadow> {
-        let viewpoint = self.viewpoint;
-        let normal = viewpoint.face_normal?;
+        if self.viewpoint.visibility != Visibility::Surface {
+            return None;
+        }
+        let normal = self.viewpoint.face_normal?;
         let side = normal * normal.dot(point.direction).signum();
-        let is_surface = viewpoint.visibility == Visibility::Surface;
-        let position = viewpoint.position.value();
-        let shadow = || (self.field.accel).shadow_before(position, point.direction, side);
-        is_surface.then(shadow)?
+        let position = self.viewpoint.position.value();
+        (self.field.accel).shadow_before(position, point.direction, side)
     }
 }
 

@@ -303,13 +303,14 @@ impl<'a> Tracer<'a> {
         let Some(Moving { field, .. }) = &self.moving else {
             return false;
         };
-        W::MOVES && viewpoint.is_constant() && !eval.is_still(viewpoint) && {
-            let moving = MovingBoundaries {
-                edges: self.moving_edges(field.boundaries, eval),
-                mirrors: self.mirrors_move(eval),
-            };
-            !field.reaches(viewpoint, q, walk, moving)
+        if !W::MOVES || !viewpoint.is_constant() || eval.is_still(viewpoint) {
+            return false;
         }
+        let moving = MovingBoundaries {
+            edges: self.moving_edges(field.boundaries, eval),
+            mirrors: self.mirrors_move(eval),
+        };
+        !field.reaches(viewpoint, q, walk, moving)
     }
 
     /// How much the motion differs within each plane of flat mirrors.

@@ -10,6 +10,7 @@ use super::*;
 use crate::accel::Accel;
 use crate::boundaries::Boundaries;
 use crate::method::Method;
+use crate::reach::MovingBoundaries;
 use crate::warp::Warp;
 
 /// The ball and its emitter, flat-shaded, over a floor that is a mirror.

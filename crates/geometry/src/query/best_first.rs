@@ -52,9 +52,9 @@ impl SilhouetteTree {
 struct ClosestWhere<'a, F> {
     tree: &'a SilhouetteTree,
     query: &'a ConeQuery,
-    /// The closest point of all, which was not accepted.
+    /// The closest point of all, which is not seen.
     rejected: SilhouettePoint,
-    /// Which closest points are accepted.
+    /// Which closest points are seen.
     sight: &'a F,
 }
 
@@ -129,14 +129,14 @@ impl Shadows<'_> {
 
     /// True if an edge is wholly in one of them.
     #[inline]
-    fn hide(&self, edge: u32) -> bool {
+    fn have(&self, edge: u32) -> bool {
         let ends = self.tree.edges[edge as usize].ends;
         self.found.iter().any(|(shadow, _)| shadow.hides(ends))
     }
 
     /// Those children of a node that are not wholly in one of them.
     #[inline(always)]
-    fn left<S: Simd>(&self, simd: S, cone: &LocalCone<S>, node: &ConeNode, mask: u32) -> u32 {
+    fn outside<S: Simd>(&self, simd: S, cone: &LocalCone<S>, node: &ConeNode, mask: u32) -> u32 {
         let mut left = mask;
         for (_, planes) in &self.found {
             if left != 0 {
@@ -183,7 +183,7 @@ impl<F: Sight> Computation for ClosestWhere<'_, F> {
             {
                 let Tested { point, place, .. } = tested.pop()?;
                 // Shadows that came after the test count, too: what is asked does not depend on the tree.
-                if point.edge == rejected.edge || shadows.hide(place) {
+                if point.edge == rejected.edge || shadows.have(place) {
                     continue;
                 }
                 add_effort_of(CLOSEST, tree.edges.len());
@@ -197,7 +197,7 @@ impl<F: Sight> Computation for ClosestWhere<'_, F> {
             // Eq. (30), a node or leaf by the bounds of what it contains, unless it is in a shadow.
             let Queued(Reverse((_, what))) = queue.pop()?;
             let child = match what {
-                What::Edge(edge) if shadows.hide(edge) => continue,
+                What::Edge(edge) if shadows.have(edge) => continue,
                 What::Edge(edge) => {
                     if let Some(point) = tree.edges[edge as usize].closest(query, None) {
                         let sin = query.axis.cross(point.direction).length();
@@ -216,7 +216,7 @@ impl<F: Sight> Computation for ClosestWhere<'_, F> {
                 Some(ChildKind::Node(node)) => {
                     let node = &tree.nodes[node];
                     let (mask, bounds) = cone.children(simd, node, &limit);
-                    let mut mask = shadows.left(simd, &cone, node, mask);
+                    let mut mask = shadows.outside(simd, &cone, node, mask);
                     while mask != 0 {
                         let i = mask.trailing_zeros() as usize % WIDTH;
                         mask &= mask - 1;

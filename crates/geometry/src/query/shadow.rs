@@ -34,7 +34,7 @@ pub struct Shadow {
 /// The share of its size by which a face is smaller than it is, so that rays to what it hides meet it whatever
 /// the rounding.
 const SHRINK: f64 = 1e-4;
-/// The least angle between the view of a side and of the corner opposite to it, radians. What looks narrower hides
+/// The least sine of the angle between the view of a side and of the corner opposite to it. What looks narrower hides
 /// little, and less than rounding allows to say.
 const NARROWEST: f64 = 1e-3;
 /// What is hidden is farther than the face by this share of the distance.
@@ -61,9 +61,10 @@ impl Shadow {
             return None;
         }
         let behind = HalfSpace {
-            point: viewpoint + normal * (height * (1.0 + BEYOND) + nearest),
+            point: viewpoint + normal * (height * (1.0 + BEYOND)),
             normal,
         };
+        // The first three are those through the sides; the last is a place for another one.
         let mut planes = [behind; 5];
         for (plane, [from, to, opposite]) in
             planes.iter_mut().zip([[a, b, c], [b, c, a], [c, a, b]])
