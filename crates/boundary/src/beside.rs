@@ -152,7 +152,7 @@ mod tests {
             let is_on_floor = |p: Vec3| p.z.abs() < 1e-12 && p.length() < 1.0;
             for edge in 0..boundaries.edges().len() as u32 {
                 if boundaries.ends(edge).into_iter().all(is_on_floor) {
-                    pieces.push(edge, [0.1, 0.9], 1.0);
+                    pieces.push(&boundaries, edge, [0.1, 0.9], 1.0);
                 }
             }
             assert!(pieces.count() > 0, "{degrees}, {lies}");

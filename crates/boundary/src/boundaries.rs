@@ -10,7 +10,7 @@ use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
 
 use crate::accel::{Accel, MeshChange, WORN_OUT};
-use crate::coincident::may_coincide;
+use crate::coincident;
 use crate::crossing::{Crossing, crossings};
 use crate::edge_sampler::EdgeSampler;
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
@@ -32,8 +32,8 @@ pub struct Boundaries {
     edges: Vec<Edge>,
     /// A guess of how large the discontinuity is at each edge that is no silhouette.
     contrasts: Vec<f32>,
-    /// Which edges may lie on others.
-    coincident: Vec<bool>,
+    /// Which edges may lie on others: the row of each edge, see [`coincident::rows`].
+    rows: Vec<u32>,
     tree: SilhouetteTree,
     /// The same edges in image space, if the sensor's rays are parallel: seen from
     /// its origin they lie in the directions of the sensor's view.
@@ -76,7 +76,7 @@ impl Boundaries {
             ),
             area_emitters: AreaEmitter::all(&accel.scene),
             emitter_edges: emitter_edges(&listed.on_emitters, &accel.mesh.positions),
-            coincident: may_coincide(&listed.edges, &listed.mesh.positions, halt),
+            rows: coincident::rows(&listed.edges, &listed.mesh.positions, halt),
             edges: listed.edges,
             contrasts: listed.contrasts,
             positions: listed.mesh.positions,
@@ -98,7 +98,7 @@ impl Boundaries {
             image_tree: image_tree(&accel.view, &mesh.positions, &mesh.faces, &[]),
             area_emitters: Vec::new(),
             emitter_edges: Vec::new(),
-            coincident: Vec::new(),
+            rows: Vec::new(),
             edges: Vec::new(),
             contrasts: Vec::new(),
             positions: mesh.positions,
@@ -136,7 +136,7 @@ impl Boundaries {
                 self.tree = SilhouetteTree::try_build(&listed.mesh, &listed.edges, halt)?;
             }
             self.emitter_edges = emitter_edges(&listed.on_emitters, &accel.mesh.positions);
-            self.coincident = may_coincide(&listed.edges, &listed.mesh.positions, halt);
+            self.rows = coincident::rows(&listed.edges, &listed.mesh.positions, halt);
             self.edges = listed.edges;
             self.contrasts = listed.contrasts;
             self.positions = listed.mesh.positions;
@@ -180,9 +180,10 @@ impl Boundaries {
         &self.edges[edge as usize]
     }
 
-    /// False if an edge certainly lies on no part of another one.
-    pub fn may_coincide(&self, edge: u32) -> bool {
-        self.coincident[edge as usize]
+    /// The number of the row that an edge is in with all that may lie on a part of it, or it on a
+    /// part of them; [`coincident::ALONE`] if there are none.
+    pub fn row(&self, edge: u32) -> u32 {
+        self.rows[edge as usize]
     }
 
     /// A guess of how large the discontinuity is at an edge, above 0 and at most 1: it is 1

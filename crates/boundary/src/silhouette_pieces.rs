@@ -11,6 +11,7 @@ use capwalk_scene::EmitterId;
 use crate::accel::Accel;
 use crate::beside::{BESIDE, beside, beside_for_paths};
 use crate::boundaries::Boundaries;
+use crate::coincident::ALONE;
 use crate::mirror_image::MirrorImage;
 
 /// A piece of an edge.
@@ -63,6 +64,8 @@ pub struct SilhouettePieces {
     pieces: Vec<Piece>,
     /// Where each piece is seen, by the numbers of the pieces, if the viewpoint is a fixed one.
     balls: Vec<Ball>,
+    /// The row of each piece's edge ([`Boundaries::row`]), by the numbers of the pieces, if it is not.
+    rows: Vec<u32>,
     total: f64,
     /// True if the viewpoint is a fixed one, which may lie in the plane of two edges.
     from_one_place: bool,
@@ -147,12 +150,15 @@ impl SilhouettePieces {
     pub fn clear(&mut self) {
         self.pieces.clear();
         self.balls.clear();
+        self.rows.clear();
         self.total = 0.0;
     }
 
     /// Adds a piece of an edge. One whose weight is not above 0 is never sampled.
-    pub fn push(&mut self, edge: u32, range: [f64; 2], weight: f64) {
-        self.add(edge, 0, range, weight);
+    pub fn push(&mut self, boundaries: &Boundaries, edge: u32, range: [f64; 2], weight: f64) {
+        if self.add(edge, 0, range, weight) {
+            self.rows.push(boundaries.row(edge));
+        }
     }
 
     /// Adds a piece of an edge in one of the images of the camera, which sees its ends in these
@@ -187,7 +193,8 @@ impl SilhouettePieces {
 
     /// Adds an edge that is not sampled, but shares the discontinuity where it lies on
     /// edges that are. Once for each such edge.
-    pub fn push_companion(&mut self, edge: u32) {
+    pub fn push_companion(&mut self, boundaries: &Boundaries, edge: u32) {
+        self.rows.push(boundaries.row(edge));
         self.pieces.push(Piece {
             edge,
             image: 0,
@@ -223,7 +230,12 @@ impl SilhouettePieces {
         u: f64,
         is_seen: impl Fn(&MirrorImage, Vec3, f64) -> bool,
     ) -> Option<EdgePoint> {
-        debug_assert!(!self.from_one_place || self.balls.len() == self.pieces.len());
+        let places = if self.from_one_place {
+            self.balls.len()
+        } else {
+            self.rows.len()
+        };
+        debug_assert_eq!(places, self.pieces.len());
         let target = u * self.total;
         let i = self.pieces.partition_point(|p| p.cumulative <= target);
         let piece = self.pieces.get(i)?;
@@ -252,7 +264,7 @@ impl SilhouettePieces {
             distance,
             normal,
             weight: angle * self.total
-                / (own * self.multiplicity(boundaries, viewpoint, piece, q, is_seen)),
+                / (own * self.multiplicity(boundaries, viewpoint, i, q, is_seen)),
         })
     }
 
@@ -270,31 +282,23 @@ impl SilhouettePieces {
         }
     }
 
-    /// How many edges coincide where an edge is seen in the direction `q`, itself included:
-    /// each of them adds its share of the discontinuity.
+    /// How many edges coincide where the edge of a piece is seen in the direction `q`, itself
+    /// included: each of them adds its share of the discontinuity.
     /// In a direct view all count, hidden or not; otherwise those that are seen.
     fn multiplicity(
         &self,
         boundaries: &Boundaries,
         viewpoint: Vec3,
-        own: &Piece,
+        piece: usize,
         q: Vec3,
         is_seen: impl Fn(&MirrorImage, Vec3, f64) -> bool,
     ) -> f64 {
-        let edge = own.edge;
+        let own = &self.pieces[piece];
         let [a, b] = self.ends(boundaries, own).map(|p| p - viewpoint);
         let normal = a.cross(b).normalized();
         let along = normal.cross(q);
-        // Seen from all places but a few, edges coincide only where they do in space.
-        if !self.from_one_place && !boundaries.may_coincide(edge) {
-            return 1.0;
-        }
-        let seen = q.to_array().map(|x| x as f32);
-        let coincides = |(i, other): &(usize, &Piece)| {
-            let misses = |ball: &Ball| !ball.may_contain(seen);
-            if self.balls.get(*i).is_some_and(misses)
-                || (other.edge, other.image) == (edge, own.image)
-            {
+        let coincides = |other: &Piece| {
+            if (other.edge, other.image) == (own.edge, own.image) {
                 return false;
             }
             let [a, b] = self.ends(boundaries, other).map(|p| p - viewpoint);
@@ -312,7 +316,22 @@ impl SilhouettePieces {
                     is_seen(image, point / distance, distance)
                 })
         };
-        1.0 + self.pieces.iter().enumerate().filter(coincides).count() as f64
+        let count = if self.from_one_place {
+            let seen = q.to_array().map(|x| x as f32);
+            let near = self.pieces.iter().zip(&self.balls);
+            let near = near.filter(|(_, ball)| ball.may_contain(seen));
+            near.filter(|(other, _)| coincides(other)).count()
+        } else {
+            // Seen from all places but a few, edges coincide only where they do in space.
+            let row = self.rows[piece];
+            if row == ALONE {
+                return 1.0;
+            }
+            let others = self.pieces.iter().zip(&self.rows);
+            let others = others.filter(|&(_, &other)| other == row);
+            others.filter(|(other, _)| coincides(other)).count()
+        };
+        1.0 + count as f64
     }
 }
 
@@ -390,10 +409,8 @@ mod tests {
 
     use super::*;
 
-    /// Edges of two cubes that touch along one, and others that lie behind them as seen from a
-    /// point: as many coincide where only pieces are asked that may lie there as if all were.
-    #[test]
-    fn balls_leave_out_nothing_that_coincides() {
+    /// Two cubes that touch along an edge, and one beside them.
+    fn cubes() -> Accel {
         let mut scene: Scene = builtin::scene("leaf").expect("built in");
         scene.shapes.clear();
         scene.emitters.clear();
@@ -404,7 +421,14 @@ mod tests {
             let (mesh, normals) = cube(Affine::translate(place.into()));
             scene.add_shape(Shape::new(format!("{i}"), mesh, normals, BsdfId(0)));
         }
-        let accel = Accel::new(scene);
+        Accel::new(scene)
+    }
+
+    /// Edges that touch, and others that lie behind them as seen from a point: as many coincide where
+    /// only pieces are asked that may lie there as if all were.
+    #[test]
+    fn balls_leave_out_nothing_that_coincides() {
+        let accel = cubes();
         let boundaries = Boundaries::new(&accel);
         // In the plane of sides of the first and the third cube.
         let viewpoint = Vec3::new(7.0, 0.3, 1.0);
@@ -433,10 +457,41 @@ mod tests {
             assert_eq!(found, expected);
             let single = SilhouettePieces {
                 from_one_place: false,
+                rows: vec![ALONE; pieces.count()],
                 ..pieces.clone()
             };
             let alone = single.draw(&boundaries, viewpoint, u, |_, _, _| true);
             coincide += u32::from(alone.expect("a piece").weight > found);
+        }
+        assert!(coincide > 20, "{coincide}");
+    }
+
+    /// Seen from all places but a few, as many coincide where only edges of one row are asked as if
+    /// all were.
+    #[test]
+    fn rows_leave_out_nothing_that_coincides() {
+        let accel = cubes();
+        let boundaries = Boundaries::new(&accel);
+        let viewpoint = Vec3::new(7.1, 0.3, 2.7);
+        let mut pieces = SilhouettePieces::default();
+        for edge in 0..boundaries.edges().len() as u32 {
+            for i in 0..4 {
+                let range = [0, 1].map(|k| f64::from(i + k) / 4.0);
+                pieces.push(&boundaries, edge, range, 1.0);
+            }
+        }
+        let [mut all, mut none] = [0, 1].map(|_| pieces.clone());
+        all.rows.fill(0);
+        none.rows.fill(ALONE);
+        let mut coincide = 0;
+        for i in 0..2000 {
+            let u = (f64::from(i) + 0.5) / 2000.0;
+            let [found, expected, alone] = [&pieces, &all, &none].map(|pieces| {
+                let point = pieces.draw(&boundaries, viewpoint, u, |_, _, _| true);
+                point.expect("a piece").weight
+            });
+            assert_eq!(found, expected);
+            coincide += u32::from(alone > found);
         }
         assert!(coincide > 20, "{coincide}");
     }

@@ -79,7 +79,7 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
             });
             edges.weigh(at, listed, &[], &light);
             // Edges of other subtrees may lie on them and share the discontinuity, if they move.
-            edges.push_companions(|edge| {
+            edges.push_companions(field.boundaries, |edge| {
                 let others = sampler.overlapping(edge);
                 others.filter(|&other| counts(other) && !at.is_stationary(&turning, other))
             });

@@ -239,13 +239,17 @@ impl SampledEdges {
 
     /// Adds edges that are not sampled, but share the discontinuity where they lie on an edge
     /// that is: those that `lie_on` gives for it.
-    pub fn push_companions<I: Iterator<Item = u32>>(&mut self, lie_on: impl Fn(u32) -> I) {
+    pub fn push_companions<I: Iterator<Item = u32>>(
+        &mut self,
+        boundaries: &Boundaries,
+        lie_on: impl Fn(u32) -> I,
+    ) {
         let Self { weighed, pieces } = self;
         // The pieces of an edge follow each other.
         for edge in weighed.chunk_by(|a, b| a.edge == b.edge) {
             for other in lie_on(edge[0].edge) {
                 if !pieces.contains(other) {
-                    pieces.push_companion(other);
+                    pieces.push_companion(boundaries, other);
                 }
             }
         }
@@ -315,9 +319,10 @@ impl SampledEdges {
         let angle: f64 = weighed.iter().map(|piece| piece.angle).sum();
         let least = LEAST_WEIGHT * sum / angle + TINY;
         pieces.clear();
+        let boundaries = at.field.boundaries;
         for piece in &*weighed {
             let weight = piece.contribution + least * piece.angle;
-            pieces.push(piece.edge, piece.range, weight);
+            pieces.push(boundaries, piece.edge, piece.range, weight);
         }
     }
 
