@@ -1,5 +1,6 @@
 //! The edges of a scene at which the integrand can be discontinuous (METHOD 1).
 
+use std::ops::ControlFlow;
 use std::sync::{Arc, OnceLock};
 
 use capwalk_geometry::{
@@ -10,7 +11,7 @@ use capwalk_math::Vec3;
 use capwalk_scene::{Pattern, Scene, Shape, Texture};
 
 use crate::accel::{Accel, MeshChange, WORN_OUT};
-use crate::coincident;
+use crate::coincident::{self, ALONE};
 use crate::crossing::{Crossing, crossings};
 use crate::edge_sampler::EdgeSampler;
 use crate::emitter_edge::{EmitterEdge, emitter_edges};
@@ -40,6 +41,8 @@ pub struct Boundaries {
     image_tree: Option<SilhouetteTree>,
     /// Samplers of silhouettes, and of all edges; built by the first derivatives that sample them.
     edge_samplers: [OnceLock<EdgeSampler>; 2],
+    /// See [`Self::emitting_crossings`]; found by the first who asks.
+    emitting_crossings: OnceLock<Option<EdgeSubset>>,
     /// Positions of the joined mesh's vertices, then the anchors of lights, then positions of
     /// the ends of crossings.
     positions: Vec<Vec3>,
@@ -84,6 +87,7 @@ impl Boundaries {
             shadowed_faces: listed.shadowed_faces,
             has_too_many_shadow_lines: listed.has_too_many_shadow_lines,
             edge_samplers: Default::default(),
+            emitting_crossings: OnceLock::new(),
         };
         halt.unless_halted(made)
     }
@@ -106,6 +110,7 @@ impl Boundaries {
             shadowed_faces: Vec::new(),
             has_too_many_shadow_lines: false,
             edge_samplers: Default::default(),
+            emitting_crossings: OnceLock::new(),
         }
     }
 
@@ -144,6 +149,7 @@ impl Boundaries {
             self.shadowed_faces = listed.shadowed_faces;
             self.has_too_many_shadow_lines = listed.has_too_many_shadow_lines;
             self.edge_samplers = Default::default();
+            self.emitting_crossings = OnceLock::new();
         }
         self.area_emitters = AreaEmitter::all(&accel.scene);
         if !(stays && same_sensor) {
@@ -207,17 +213,29 @@ impl Boundaries {
     }
 
     /// The edges in a cone with their ends, by their numbers: the order must not tell how
-    /// the tree came about. Only those in a subset, if one is given. `found` is memory.
+    /// the tree came about. Only those in a subset, if one is given. `found` is memory. False, and not
+    /// all of them, if there are more than `most`.
     pub fn gather(
         &self,
         query: &ConeQuery,
         among: Option<&EdgeSubset>,
+        most: usize,
         found: &mut Vec<(u32, [Vec3; 2])>,
-    ) {
+    ) -> bool {
         found.clear();
-        let visit = |edge, ends| found.push((edge, ends));
+        let visit = |edge, ends| {
+            found.push((edge, ends));
+            match found.len() > most {
+                true => ControlFlow::Break(()),
+                false => ControlFlow::Continue(()),
+            }
+        };
         self.tree.gather(query, among, visit);
+        if found.len() > most {
+            return false;
+        }
         found.sort_unstable_by_key(|&(edge, _)| edge);
+        true
     }
 
     /// The edges for whose numbers `contains` holds.
@@ -246,6 +264,26 @@ impl Boundaries {
             sampler.get_or_init(|| made);
         }
         Ok(())
+    }
+
+    /// The segments at which emitted light ends where a sampler of silhouettes has no edge: where a
+    /// surface passes through an emitter, or its texture is discontinuous. `None` if one of them may lie on an edge
+    /// of a mesh, so that one must not be sampled without the other.
+    pub fn emitting_crossings(&self) -> Option<&EdgeSubset> {
+        let find = || {
+            let of_meshes = self.edges.len() - self.crossings.len();
+            let emits = |edge: usize| edge >= of_meshes && self.crossings[edge - of_meshes].emits;
+            let mut rows: Vec<u32> = (of_meshes..self.edges.len())
+                .filter(|&edge| emits(edge) && self.rows[edge] != ALONE)
+                .map(|edge| self.rows[edge])
+                .collect();
+            rows.sort_unstable();
+            let is_apart = |row: &u32| rows.binary_search(row).is_err();
+            let are_apart = self.rows[..of_meshes].iter().all(is_apart);
+            are_apart.then(|| self.subset(|edge| emits(edge as usize)))
+        };
+        let found = self.emitting_crossings.get_or_init(|| uncounted(find));
+        found.as_ref()
     }
 
     fn make_edge_sampler(
@@ -412,5 +450,52 @@ pub(crate) fn shift(edge: &mut Edge, first_vertex: u32, first_face: u32) {
     edge.vertices = edge.vertices.map(|i| i + first_vertex);
     if let Sides::Between { faces, .. } = &mut edge.sides {
         *faces = faces.map(|i| i + first_face);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use capwalk_math::{Affine, Rgb};
+    use capwalk_scene::primitive::rectangle;
+    use capwalk_scene::{BsdfId, Emitter, EmitterId, ShapeId, builtin};
+
+    use super::*;
+
+    /// Where a blade cuts through an emitter, emitted light ends: a crossing of its own, unless another thing has an edge
+    /// there.
+    #[test]
+    fn emitting_crossings_lie_on_no_edge() {
+        let blade = Affine::translate(Vec3::new(0.2, 0.0, 0.0))
+            * Affine::rotate(Vec3::new(0.0, 1.0, 0.0), std::f64::consts::FRAC_PI_2);
+        // One of its sides is on the crossing, or below.
+        let hanging = |height: f64| {
+            Affine::translate(Vec3::new(0.2, 0.0, height))
+                * Affine::rotate(Vec3::new(0.0, 1.0, 0.0), 0.8)
+                * Affine::translate(Vec3::new(1.0, 0.0, 0.0))
+                * Affine::scale(Vec3::new(1.0, 0.5, 1.0))
+        };
+        for (height, are_apart) in [(-0.5, true), (0.0, false)] {
+            let mut scene: Scene = builtin::scene("leaf").expect("built in");
+            scene.shapes.clear();
+            scene.emitters.clear();
+            for (mesh, normals) in [
+                rectangle(Affine::IDENTITY),
+                rectangle(blade),
+                rectangle(hanging(height)),
+            ] {
+                scene.add_shape(Shape::new("", mesh, normals, BsdfId(0)));
+            }
+            let radiance = scene.add_texture(Texture::colour("radiance", Rgb::splat(1.0)));
+            let shape = ShapeId(0);
+            scene.emitters.push(Emitter::Area { shape, radiance });
+            scene.shape_mut(shape).emitter = Some(EmitterId(0));
+            let boundaries = Boundaries::new(&Accel::new(scene));
+            assert!(boundaries.crossings.iter().any(|crossing| crossing.emits));
+            assert_eq!(
+                boundaries.emitting_crossings().is_some(),
+                are_apart,
+                "{height}"
+            );
+        }
     }
 }

@@ -42,6 +42,9 @@ pub struct Gathers {
     /// Points on the `n` pieces of the edges in front of an area emitter: so many times `√n`.
     /// Gathering is paid once for all of them.
     pub points: u32,
+    /// The most edges in front of an area emitter that are listed at the later vertices of a path, and an eighth
+    /// of those at the first. Of more, subtrees are sampled, except on devices.
+    pub listed: u32,
     /// Points on the edges in a pixel, where it has any.
     pub camera_points: u32,
     /// True if what facets reflect follows their half vector where edges are gathered around
@@ -60,6 +63,7 @@ impl Gathers {
         environment: true,
         indirect: true,
         points: Self::POINTS,
+        listed: Self::LISTED,
         camera_points: Self::CAMERA_POINTS,
         half_vector: true,
         beside_silhouettes: true,
@@ -87,6 +91,8 @@ impl Gathers {
 
     /// Points where nothing says how many are best.
     pub const POINTS: u32 = 4;
+    /// More edges than these take longer to list than they are worth at the later vertices of paths in rooms.
+    pub const LISTED: u32 = 512;
     /// Likewise in a pixel.
     pub const CAMERA_POINTS: u32 = 1;
 

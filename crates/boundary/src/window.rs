@@ -47,6 +47,28 @@ pub struct Window {
     pub planes: Vec<Vec3>,
 }
 
+/// Part of its distance by which a ball must be outside: more than rounding, and than edges in a plane
+/// of the window, which count as inside.
+const OUTSIDE: f64 = 1e-8;
+
+impl Window {
+    /// The share of a ball that is in the window, roughly; zero only if no point of it is.
+    pub fn share(&self, centre: Vec3, radius: f64) -> f64 {
+        let offset = centre - self.cone.apex;
+        let distance = offset.length();
+        let reach = radius + OUTSIDE * (distance + radius);
+        let is_outside = |normal: &Vec3| normal.dot(offset) < -reach;
+        let is_behind = |plane: &HalfSpace| plane.normal.dot(centre - plane.point) < -reach;
+        if self.planes.iter().any(is_outside)
+            || self.cone.in_front_of.as_ref().is_some_and(is_behind)
+        {
+            return 0.0;
+        }
+        let width = self.cone.max_angle.min(FRAC_PI_2).sin() * (distance + radius);
+        (width / radius).powi(2).min(1.0)
+    }
+}
+
 /// Emitters lie in a plane if their vertices do up to this part of their size.
 const FLAT: f64 = 1e-9;
 /// Flat emitters with more corners get windows of four.
@@ -275,5 +297,45 @@ mod tests {
         );
         assert!(clip(&planes, 0.0, [segment[0], segment[0]]).is_none());
         assert!(clip(&planes, 0.0, segment.map(|p| -p)).is_none());
+    }
+
+    /// A ball has no share only if no point of it is in the window, and all balls around points in it have one.
+    #[test]
+    fn what_is_in_a_window_has_a_share() {
+        let place = Affine::translate(Vec3::new(0.3, -0.2, 1.5))
+            * Affine::rotate(Vec3::new(1.0, 0.4, -0.2), 2.6)
+            * Affine::scale(Vec3::new(0.8, 0.5, 0.7));
+        let meshes = [
+            rectangle(place).0,
+            disk(place).0,
+            ball(place, Vec3::zero(), 0.6).0,
+        ];
+        let number = |i: u32, k: u32| (f64::from(i * 7 + k) * 0.618_033_988_749_895).fract();
+        let mut without = 0;
+        for mesh in meshes {
+            let emitter = AreaEmitter::new(EmitterId(0), &mesh);
+            let mut windows = 0;
+            for i in 0..4000 {
+                let viewpoint = Vec3::from([0, 1, 2].map(|k| 4.0 * number(i, k) - 2.0));
+                let Some(window) = emitter.window(viewpoint) else {
+                    continue;
+                };
+                windows += 1;
+                let radius = number(i, 3).powi(3);
+                let corner = mesh.positions[i as usize % mesh.positions.len()];
+                let middle = mesh.positions.iter().fold(Vec3::zero(), |sum, &p| sum + p);
+                let middle = middle / mesh.positions.len() as f64;
+                // On the way to a point of the emitter, and beside it by up to three times that.
+                let seen = viewpoint + (corner * 0.9 + middle * 0.1 - viewpoint) * number(i, 4);
+                let centre = seen + (middle - corner).normalized() * (radius * 3.0 * number(i, 5));
+                let share = window.share(centre, radius);
+                assert!((0.0..=1.0).contains(&share), "{share}");
+                without += u32::from(share == 0.0);
+                let touches = (centre - seen).length() <= radius;
+                assert!(share > 0.0 || !touches, "{i}: {share}");
+            }
+            assert!(windows > 1000, "{windows}");
+        }
+        assert!(without > 100, "{without}");
     }
 }

@@ -10,6 +10,7 @@
 
 use std::f64::consts::PI;
 use std::fmt::Debug;
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -120,7 +121,10 @@ impl Own {
         let shaded = cones(&towards_light(&ray_tree, count), PI);
         let gather = |cone: &ConeQuery| {
             let mut edges = Vec::new();
-            edge_tree.gather(cone, None, |edge, _| edges.push(edge));
+            edge_tree.gather(cone, None, |edge, _| {
+                edges.push(edge);
+                ControlFlow::Continue(())
+            });
             edges.sort_unstable();
             edges
         };

@@ -2,23 +2,33 @@
 //! move, turn with the normal, or follow the half vector, and points are sampled on the edges before an
 //! emitter instead.
 
-use capwalk_boundary::{Draw, EdgePoint};
+use capwalk_boundary::{Draw, EdgePoint, Gathers};
 use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Rgb, Vec3};
 use capwalk_scene::EmitterId;
 
 use crate::emitter_choice::EmitterChoice;
 use crate::gathered_term::gathered_term;
-use crate::sampled_edge_term::sampled_edge_term;
+use crate::sampled_edge_term::{Subtrees, sampled_edge_term, subtree_count};
 use crate::sampled_edges::{ShadingPoint, discontinuity};
 use crate::scene_eval::{Primal, SceneEval};
 use crate::surface::emitted_at;
-use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Tracer};
+use crate::tracer::{EDGE_NUMBERS, ENVIRONMENT_EDGE_NUMBERS, Tracer, WINDOW_EDGE_NUMBERS};
 use crate::vertex::Vertex;
 
 /// How many random numbers the edges before area emitters use at each vertex: to choose an
 /// emitter, and points.
 const NUMBERS: u32 = 2;
+
+/// How many times as many edges are listed at the first vertex of a path, which matters most: points on a list have
+/// less noise than points in subtrees.
+const MORE_AT_FIRST: u32 = 8;
+
+/// How many subtrees are sampled at the vertex of a path of this number in the place of a list that would be
+/// too long, for each of [`Gathers::points`].
+fn subtrees_per_point(depth: u32) -> u32 {
+    if depth == 0 { 16 } else { 4 }
+}
 
 impl Tracer<'_> {
     /// An estimate of the boundary term of light from area emitters at the vertex of a path of
@@ -63,14 +73,25 @@ impl Tracer<'_> {
         // If directions do not move, only edges that move contribute.
         let is_stationary = at.motion().is_still();
         let among = is_stationary.then(|| self.moving_edges(field.boundaries, at.eval));
-        let term = gathered_term(
-            at,
-            &window,
-            among,
-            self.gathers.points,
-            discontinuity,
-            place,
-        );
+        let Gathers { points, .. } = self.gathers;
+        let listed =
+            |among, most| gathered_term(at, &window, among, points, discontinuity, place, most);
+        // Lists that are too long take longer than they are worth. Then subtrees of the meshes' edges are
+        // sampled, and what no mesh has is listed.
+        let crossings = field.boundaries.emitting_crossings();
+        let listed_here = match depth {
+            0 => self.gathers.listed.saturating_mul(MORE_AT_FIRST),
+            _ => self.gathers.listed,
+        };
+        let most = crossings.map_or(u32::MAX, |_| listed_here);
+        let term = listed(among, most).unwrap_or_else(|| {
+            let edges = self.sampled_edges(field.boundaries, at.eval, EdgeSelection::Silhouettes);
+            let count = points * subtrees_per_point(depth);
+            let subtrees = Subtrees::drawn(count, draw, WINDOW_EDGE_NUMBERS, depth);
+            let of_crossings = listed(crossings, u32::MAX).unwrap_or(Rgb::zero());
+            let window = Some(&window);
+            of_crossings + sampled_edge_term(at, edges, window, |_| 1.0, discontinuity, subtrees)
+        });
         // Divide by the probability of the emitter.
         term * R::constant(1.0 / probability)
     }
@@ -91,14 +112,8 @@ impl Tracer<'_> {
             light.max_component()
         };
         let discontinuity = |point: &EdgePoint| discontinuity(field, vertex, point, environment);
-        sampled_edge_term(
-            at,
-            edges,
-            radiance,
-            discontinuity,
-            draw,
-            ENVIRONMENT_EDGE_NUMBERS,
-            depth,
-        )
+        let count = subtree_count(depth, false);
+        let subtrees = Subtrees::drawn(count, draw, ENVIRONMENT_EDGE_NUMBERS, depth);
+        sampled_edge_term(at, edges, None, radiance, discontinuity, subtrees)
     }
 }

@@ -16,7 +16,7 @@ pub const ROOTS: [f64; 2] = [2.0, 32.0];
 /// An estimate of the boundary term, see [`SampledEdges::term`], over all edges in the window
 /// of an emitter and its own, from `points` times the root of the number of their pieces. The
 /// random number `u` chooses the points. `discontinuity` is the discontinuity of reflected radiance.
-/// `among` are all edges that contribute, if some do not.
+/// `among` are all edges that contribute, if some do not. `None` if there are more than `most` edges.
 pub fn gathered_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
     window: &Window,
@@ -24,9 +24,14 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
     points: u32,
     discontinuity: impl FnMut(&EdgePoint) -> Rgb,
     u: f64,
-) -> Rgb<R> {
+    most: u32,
+) -> Option<Rgb<R>> {
     MEMORY.with_borrow_mut(|Memory { gathered, edges }| {
-        at.field.boundaries.gather(&window.cone, among, gathered);
+        let boundaries = at.field.boundaries;
+        let are_all = boundaries.gather(&window.cone, among, most as usize, gathered);
+        if !are_all {
+            return None;
+        }
         let listed = gathered.iter().map(|&(edge, ends)| ListedEdge {
             edge,
             ends,
@@ -35,7 +40,7 @@ pub fn gathered_term<R: Real, W: SceneEval<R>>(
         edges.weigh(at, listed, &window.planes, |_| 1.0);
         let root = (edges.count() as f64).sqrt().clamp(ROOTS[0], ROOTS[1]);
         let points = ((f64::from(points) * root) as u32).max(1);
-        edges.term(at, discontinuity, u, points)
+        Some(edges.term(at, discontinuity, u, points))
     })
 }
 

@@ -12,7 +12,7 @@ use capwalk_scene::lobe::Event;
 use crate::emitter_edge_term::SHORT_OF_EDGE;
 use crate::light::emitter_towards;
 use crate::radiance::SpecularChain;
-use crate::sampled_edge_term::sampled_edge_term;
+use crate::sampled_edge_term::{Subtrees, sampled_edge_term, subtree_count};
 use crate::sampled_edges::{InMirrors, ShadingPoint, beside_its_face};
 use crate::scene_eval::{Primal, SceneEval};
 use crate::shading::{add_lobes, black_vertex_at};
@@ -46,10 +46,11 @@ impl Tracer<'_> {
             in_mirrors: None,
         };
         let edges = self.sampled_edges(at.field.boundaries, eval, EdgeSelection::All);
-        let numbers = INDIRECT_EDGE_NUMBERS;
+        let count = subtree_count(depth, false);
+        let subtrees = Subtrees::drawn(count, draw, INDIRECT_EDGE_NUMBERS, depth);
         let discontinuity =
             |point: &EdgePoint| self.indirect_discontinuity(&at, &primal, point, depth, draw);
-        let direct = sampled_edge_term(&at, edges, |_| 1.0, discontinuity, draw, numbers, depth);
+        let direct = sampled_edge_term(&at, edges, None, |_| 1.0, discontinuity, subtrees);
         direct + self.indirect_image_term(&at, depth, draw)
     }
 
@@ -110,16 +111,9 @@ impl Tracer<'_> {
         let discontinuity = |point: &EdgePoint| {
             self.indirect_discontinuity(&in_mirrors, vertex, point, depth, draw)
         };
-        let numbers = IMAGE_EDGE_NUMBERS;
-        let term = sampled_edge_term(
-            &in_mirrors,
-            edges,
-            |_| 1.0,
-            discontinuity,
-            draw,
-            numbers,
-            depth,
-        );
+        let count = subtree_count(depth, true);
+        let subtrees = Subtrees::drawn(count, draw, IMAGE_EDGE_NUMBERS, depth);
+        let term = sampled_edge_term(&in_mirrors, edges, None, |_| 1.0, discontinuity, subtrees);
         term * R::constant(1.0 / drawn.probability)
     }
 

@@ -195,7 +195,7 @@ pub fn silhouettes<R: Real, W: SceneEval<R>>(
             groups: SEEN,
             in_front_of: image.in_front_of().or_else(|| accel.behind_near_plane()),
         };
-        boundaries.gather(&query, None, &mut gathered);
+        boundaries.gather(&query, None, usize::MAX, &mut gathered);
         for &(edge, ends) in &gathered {
             // What lies in a mirror is its own image.
             if image.is_in_mirror(ends, accel.horizon_distance()) {

@@ -5,7 +5,7 @@
 
 use std::cell::RefCell;
 
-use capwalk_boundary::{Draw, EdgeBounds, EdgePoint, EdgeSampler, Motion};
+use capwalk_boundary::{Draw, EdgeBounds, EdgePoint, EdgeSampler, Motion, Window};
 use capwalk_geometry::EdgeSelection;
 use capwalk_math::{Real, Rgb, Vec3};
 
@@ -28,18 +28,36 @@ const POINTS: u32 = 1;
 /// 1 over the golden ratio: its multiples are spread evenly in `[0, 1)`.
 pub const SPREAD: f64 = 0.618_033_988_749_895;
 
-/// An estimate of the boundary term over all edges of a sampler, see [`SampledEdges::term`].
-/// `motions` are those of its nodes. `light` guesses the radiance from a direction, and `discontinuity`
-/// is the discontinuity of reflected radiance. At the vertex of number `depth`, [`NUMBERS`]
-/// random numbers from `first` on choose subtrees and points.
+/// How many subtrees are sampled, and by which random numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Subtrees {
+    /// How many, with a point in each.
+    count: u32,
+    /// They choose subtrees and points.
+    numbers: [f64; 2],
+}
+
+impl Subtrees {
+    /// So many at the vertex of number `depth`, by [`NUMBERS`] random numbers from `first` on.
+    pub fn drawn(count: u32, draw: Draw, first: u32, depth: u32) -> Self {
+        draw.count_queries(u64::from(count));
+        Self {
+            count,
+            numbers: draw.stream.pair(first + NUMBERS * depth),
+        }
+    }
+}
+
+/// An estimate of the boundary term over all edges of a sampler, or all in a window, see
+/// [`SampledEdges::term`]. `motions` are those of the sampler's nodes. `light` guesses the radiance
+/// from a direction, and `discontinuity` is the discontinuity of reflected radiance.
 pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
     at: &ShadingPoint<R, W>,
     (sampler, motions): (&EdgeSampler, &[Motion]),
+    window: Option<&Window>,
     light: impl Fn(Vec3) -> f64,
     mut discontinuity: impl FnMut(&EdgePoint) -> Rgb,
-    draw: Draw,
-    first: u32,
-    depth: u32,
+    subtrees: Subtrees,
 ) -> Rgb<R> {
     let (field, vertex) = (at.field, at.vertex);
     if at.eval.is_still(at.viewpoint) {
@@ -53,15 +71,15 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
         let mut motion = turning.at(bounds.centre - position);
         motion.spread += turning.speed() * bounds.radius;
         let speed = motions[node].speed_against(&motion, &bounds.normals);
-        importance(vertex, highlight, bounds, speed)
+        let share = window.map_or(1.0, |window| window.share(bounds.centre, bounds.radius));
+        share * importance(vertex, highlight, bounds, speed)
     };
     let counts = |edge: u32| {
         let edge = field.boundaries.edge(edge);
         sampler.selection() == EdgeSelection::All || edge.is_silhouette(&field.accel.mesh, position)
     };
-    let [u, place] = draw.stream.pair(first + NUMBERS * depth);
-    let count = subtree_count(depth, at.in_mirrors.is_some());
-    draw.count_queries(u64::from(count));
+    let (count, [u, place]) = (subtrees.count, subtrees.numbers);
+    let planes = window.map_or(&[][..], |window| &window.planes);
     MEMORY.with_borrow_mut(|edges| {
         let mut term = Rgb::zero();
         for i in 0..count {
@@ -77,7 +95,7 @@ pub fn sampled_edge_term<R: Real, W: SceneEval<R>>(
                 ends: counted.ends,
                 factor: counted.factor,
             });
-            edges.weigh(at, listed, &[], &light);
+            edges.weigh(at, listed, planes, &light);
             // Edges of other subtrees may lie on them and share the discontinuity, if they move.
             edges.push_companions(field.boundaries, |edge| {
                 let others = sampler.overlapping(edge);

@@ -26,6 +26,8 @@ use crate::scene_eval::{SceneEval, Warped};
 pub const EDGE_NUMBERS: u32 = 1 << 30;
 /// The numbers of edges before the environment start here, behind them: those of each vertex.
 pub const ENVIRONMENT_EDGE_NUMBERS: u32 = 1 << 31;
+/// The numbers of edges before area emitters that are too many to gather start here.
+pub const WINDOW_EDGE_NUMBERS: u32 = 5 << 29;
 /// The numbers of edges before other surfaces start here.
 pub const INDIRECT_EDGE_NUMBERS: u32 = 3 << 30;
 /// The numbers of edges that mirrors show start here.

@@ -9,6 +9,7 @@ use std::time::Instant;
 use crate::common::agree::*;
 use crate::common::stages::*;
 use crate::common::*;
+use capwalk_boundary::Gathers;
 use capwalk_diff::check::{Verdict, compare};
 use capwalk_diff::{
     GradientImage, GradientOptions, Method, PreparedScene, RenderOptions, Unwatched, gradient,
@@ -115,6 +116,47 @@ fn two_emitters() {
     light_up(&mut scene, 6.0);
     let expression = "thing.translate.x + bulb.translate.y - lamp.translate.x";
     shadow_case("two emitters", scene, expression);
+}
+
+/// Edges before an emitter that are too many to list: subtrees of them are sampled, in scenes of each kind of
+/// edge, among them a blade that cuts through the emitter, which is no edge of a mesh.
+#[test]
+fn subtrees_before_emitters() {
+    let all_in_subtrees = Method::Edges(Gathers {
+        listed: 0,
+        points: 2,
+        ..Gathers::ALL
+    });
+    let mut cut = lit_by(rectangle(down(0.5)).0, 10.0);
+    let blade = Affine::translate(v(0.25, 0.1, 3.0))
+        * Affine::rotate(v(0.0, 1.0, 0.1), std::f64::consts::FRAC_PI_2)
+        * Affine::scale(v(0.7, 0.7, 0.7));
+    let (mesh, normals) = rectangle(blade);
+    add(&mut cut, "blade", mesh, normals, 0.3);
+    let scenes = [
+        (
+            "ball",
+            with(small_ball()),
+            "thing.translate.y + lamp.translate.x",
+        ),
+        (
+            "cut emitter",
+            cut,
+            "blade.translate.x + 0.5*thing.translate.x",
+        ),
+    ];
+    for (name, scene, expression) in scenes {
+        let tangent = tangent(&scene, expression);
+        let case = Case {
+            step: 1e-2,
+            gradient_spp: 64,
+            reference_spp: 640,
+            min_pixels: 400,
+            method: all_in_subtrees,
+            ..Case::default()
+        };
+        agree(&format!("subtrees, {name}"), scene, &tangent, case);
+    }
 }
 
 /// What lies in the plane of an emitter, on it or beside it, hides nothing of it: the emitter is in

@@ -19,34 +19,10 @@ use crate::simd::{Computation, Simd};
 
 impl SilhouetteTree {
     /// Calls `visit` with every boundary edge that meets the cone and its ends, in
-    /// an order that depends on the tree alone (METHOD 8); only with those in a subset, if one
-    /// is given.
+    /// an order that depends on the tree alone (METHOD 8), until it has enough; only with those in a
+    /// subset, if one is given.
     #[inline]
     pub fn gather(
-        &self,
-        query: &ConeQuery,
-        among: Option<&EdgeSubset>,
-        mut visit: impl FnMut(u32, [Vec3; 2]),
-    ) {
-        self.search(query, among, |edge, ends| {
-            visit(edge, ends);
-            ControlFlow::Continue(())
-        });
-    }
-
-    /// True if a boundary edge of a subset meets the cone.
-    pub fn meets(&self, query: &ConeQuery, among: &EdgeSubset) -> bool {
-        let mut is_met = false;
-        self.search(query, Some(among), |_, _| {
-            is_met = true;
-            ControlFlow::Break(())
-        });
-        is_met
-    }
-
-    /// Visits the boundary edges that meet the cone, until `visit` has enough.
-    #[inline]
-    fn search(
         &self,
         query: &ConeQuery,
         among: Option<&EdgeSubset>,
@@ -59,6 +35,16 @@ impl SilhouetteTree {
             among,
             visit,
         });
+    }
+
+    /// True if a boundary edge of a subset meets the cone.
+    pub fn meets(&self, query: &ConeQuery, among: &EdgeSubset) -> bool {
+        let mut is_met = false;
+        self.gather(query, Some(among), |_, _| {
+            is_met = true;
+            ControlFlow::Break(())
+        });
+        is_met
     }
 }
 

@@ -1,5 +1,7 @@
 //! The silhouette tree against brute force.
 
+use std::ops::ControlFlow;
+
 use super::meshes::{self, Place, Spot};
 use crate::bvh::validate::TreeError;
 use crate::simd::Instructions;
@@ -76,7 +78,10 @@ impl View {
 /// What the tree gathers, in its order.
 fn gathered(tree: &SilhouetteTree, query: &ConeQuery) -> Vec<u32> {
     let mut found = Vec::new();
-    tree.gather(query, None, |edge, _| found.push(edge));
+    tree.gather(query, None, |edge, _| {
+        found.push(edge);
+        ControlFlow::Continue(())
+    });
     found
 }
 
@@ -86,6 +91,7 @@ fn ends_are_right(tree: &SilhouetteTree, mesh: &Mesh, edges: &[Edge], query: &Co
     tree.gather(query, None, |edge, ends| {
         let vertices = edges[edge as usize].vertices;
         right &= ends == vertices.map(|i| mesh.positions[i as usize]);
+        ControlFlow::Continue(())
     });
     right
 }
@@ -164,7 +170,10 @@ fn check(
         for contains in [&|edge| edge % 2 == 1, &of_part, &|_| false] as [&dyn Fn(u32) -> bool; 3] {
             let subset = tree.subset(contains);
             let mut among = Vec::new();
-            tree.gather(query, Some(&subset), |edge, _| among.push(edge));
+            tree.gather(query, Some(&subset), |edge, _| {
+                among.push(edge);
+                ControlFlow::Continue(())
+            });
             let expected: Vec<u32> = found.iter().copied().filter(|&e| contains(e)).collect();
             prop_assert_eq!(
                 tree.meets(query, &subset),
