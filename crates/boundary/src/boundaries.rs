@@ -187,7 +187,7 @@ impl Boundaries {
     }
 
     /// The number of the row that an edge is in with all that may lie on a part of it, or it on a
-    /// part of them; [`coincident::ALONE`] if there are none.
+    /// part of them; `u32::MAX` if there are none.
     pub fn row(&self, edge: u32) -> u32 {
         self.rows[edge as usize]
     }
